@@ -1,0 +1,89 @@
+#pragma once
+
+#include "simulation/rope.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ropesim {
+
+// A rope as a scene describes it; the members are the keys of [[rope]].
+struct SceneRope {
+    std::string name;
+    std::string method = "symplectic_euler";
+    Eigen::Array2d start = {0.0, 0.0};
+    std::vector<Eigen::Array2d> via;  // corners on the way from start to end; usually none
+    Eigen::Array2d end = {0.0, 0.0};
+    int nodes = 16;              // masses, evenly spaced along start, via, end
+    double mass = 1.0;           // of each node ...
+    std::vector<double> masses;  // ... unless given one by one
+    double stiffness = 100.0;
+    std::optional<double> rest_length;  // of each link; without it, the spacing at the start
+    std::vector<int> pinned = {0};      // -1 is the last node, -2 the one before
+    double damping = 0.0;               // rate, per unit of time
+    double damping_factor = 0.0;        // the seed's: share of the velocity lost in each step
+    int sweeps = 1;                     // of constraint_projection
+    std::array<std::uint8_t, 3> color = {255, 255, 255};
+    double line_width = 4.0;  // pixels
+    double point_size = 8.0;  // pixels
+};
+
+// What the picture shows of the world.
+struct View {
+    Eigen::Array2d center = {0.0, 0.0};  // world units
+    double height = 640.0;               // world units; the width follows from the picture's shape
+};
+
+// Everything a clip is made from.
+struct Scene {
+    std::string title;
+    Eigen::Array2d gravity = {0.0, -1.0};
+    int frames = 120;
+    int steps_per_frame = 64;
+    double frame_time = 1.0;               // units of time from one frame to the next
+    std::array<int, 2> size = {960, 640};  // pixels, width and height
+    View view;
+    std::array<std::uint8_t, 3> background = {0, 0, 0};
+    bool words = true;  // title, steps per frame and the ropes' names in the picture's corner
+    std::vector<SceneRope> ropes;
+};
+
+// Reads and checks a scene. `name` stands for the file in messages. Throws std::runtime_error,
+// "name:line:column: what was found, what was expected".
+Scene parse_scene(std::string_view toml, std::string_view name);
+
+// Checks what several keys decide together, and what options may have changed after parsing: pins that
+// exist, one mass per node, start and end apart, unique names, ranges. Throws std::runtime_error that
+// names the rope and key. parse_scene has called it (with positions in its messages).
+void check_scene(const Scene& scene);
+
+// The scene as TOML, every key written out, numbers so that they read back as the same doubles.
+// parse_scene(to_toml(scene)) is the same scene, and equal scenes give equal texts.
+std::string to_toml(const Scene& scene);
+
+// 128 bits of the scene's TOML as 32 hexadecimal digits (XXH3).
+std::string digest(std::string_view bytes);
+
+// The rope that a method advances.
+Rope make_rope(const Scene& scene, const SceneRope& rope);
+
+// A scene that is compiled in: name, its file's text.
+struct BuiltinScene {
+    std::string_view name;
+    std::string_view toml;
+};
+std::vector<BuiltinScene> builtin_scenes();  // sorted by name, "seed" first
+
+// The scene that SCENE on the command line means: the name of a built-in scene, a TOML file, or a frame
+// (a PNG with its scene in a text chunk). Throws std::runtime_error that says what it is not, with the
+// nearest built-in name.
+Scene find_scene(const std::string& scene);
+
+}  // namespace ropesim

@@ -3,7 +3,6 @@
 #include "image/image.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <span>
 #include <string>

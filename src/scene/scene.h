@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,9 +67,6 @@ void check_scene(const Scene& scene);
 // parse_scene(to_toml(scene)) is the same scene, and equal scenes give equal texts.
 std::string to_toml(const Scene& scene);
 
-// 128 bits of the scene's TOML as 32 hexadecimal digits (XXH3).
-std::string digest(std::string_view bytes);
-
 // The rope that a method advances.
 Rope make_rope(const Scene& scene, const SceneRope& rope);
 
@@ -80,10 +76,5 @@ struct BuiltinScene {
     std::string_view toml;
 };
 std::vector<BuiltinScene> builtin_scenes();  // sorted by name, "seed" first
-
-// The scene that SCENE on the command line means: the name of a built-in scene, a TOML file, or a frame
-// (a PNG with its scene in a text chunk). Throws std::runtime_error that says what it is not, with the
-// nearest built-in name.
-Scene find_scene(const std::string& scene);
 
 }  // namespace ropesim

@@ -24,6 +24,7 @@ Stepping stepping(double frame_time, long steps_per_frame);
 // Working arrays. They carry nothing from one step to the next; they are kept to spare allocations.
 struct Scratch {
     Points acceleration;
+    Points link_force;  // masses + 1 rows
     Points previous;
 };
 

@@ -1,0 +1,91 @@
+#include "simulation/diagnostics.h"
+
+#include "simulation/links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ropesim {
+namespace {
+
+double length(const Points& position, Eigen::Index link) {
+    const double dx = position(link + 1, 0) - position(link, 0);
+    const double dy = position(link + 1, 1) - position(link, 1);
+    return std::sqrt(dx * dx + dy * dy);
+}
+
+// Whether all squared frequencies are below `bound`: D M⁻¹ Dᵀ k - bound is negative definite, where D is
+// the incidence of links and masses. Its tridiagonal has k (w[i] + w[i+1]) on and -k w[i+1] off the
+// diagonal (w = 1/m); negative definite means that every pivot of its LDLᵀ is negative.
+bool all_below(const Rope& rope, double bound) {
+    const Eigen::ArrayXd weight = rope.stiffness * rope.inverse_mass;
+    double pivot = weight(0) + weight(1) - bound;
+    for (Eigen::Index link = 1; link + 1 < weight.size() && pivot < 0.0; ++link)
+        pivot = weight(link) + weight(link + 1) - bound - weight(link) * weight(link) / pivot;
+    return pivot < 0.0;
+}
+
+}  // namespace
+
+Energy energy(const Rope& rope, Model model, const State& state) {
+    Energy energy;
+    for (Eigen::Index mass = 0; mass < state.position.rows(); ++mass) {
+        const double m = rope.mass(mass);
+        const double vx = state.velocity(mass, 0);
+        const double vy = state.velocity(mass, 1);
+        energy.kinetic += 0.5 * m * (vx * vx + vy * vy);
+        energy.gravity -=
+            m * (rope.gravity.x() * state.position(mass, 0) + rope.gravity.y() * state.position(mass, 1));
+    }
+    if (model == Model::inextensible) return energy;
+    for (Eigen::Index link = 0; link + 1 < state.position.rows(); ++link) {
+        const double extension = length(state.position, link) - rope.rest_length;
+        energy.spring += 0.5 * rope.stiffness * extension * extension;
+    }
+    return energy;
+}
+
+double longest_link(const Points& position) {
+    double longest = 0.0;
+    for (Eigen::Index link = 0; link + 1 < position.rows(); ++link)
+        longest = std::max(longest, length(position, link));
+    return longest;
+}
+
+double greatest_frequency(const Rope& rope) {
+    double low = 0.0;
+    double high = 4.0 * rope.stiffness * rope.inverse_mass.maxCoeff() * (1.0 + 1e-12);
+    if (high == 0.0) return 0.0;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (all_below(rope, middle) ? high : low) = middle;
+    }
+    return std::sqrt(high);
+}
+
+bool stable(const Rope& rope, const Method& method, const Stepping& stepping) {
+    return !method.stable ||
+           method.stable(stepping.step_size * greatest_frequency(rope), velocity_kept(rope, stepping));
+}
+
+std::optional<long> fewest_stable_steps(const Rope& rope, const Method& method, double frame_time,
+                                        double damping_factor) {
+    const double frequency = greatest_frequency(rope);
+    const auto stable_at = [&](long steps) {
+        Stepping each = stepping(frame_time, steps);
+        each.damping_factor = damping_factor;
+        return !method.stable || method.stable(each.step_size * frequency, velocity_kept(rope, each));
+    };
+    long high = 1;
+    while (high < most_steps && !stable_at(high)) high = std::min(2 * high, most_steps);
+    if (!stable_at(high)) return std::nullopt;
+    long low = high / 2;  // not stable, or zero
+    while (high - low > 1) {
+        const long middle = std::midpoint(low, high);
+        (stable_at(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+}  // namespace ropesim

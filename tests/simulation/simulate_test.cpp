@@ -1,0 +1,46 @@
+#include "simulation/simulate.h"
+
+#include "simulation/chains.h"
+
+#include <gtest/gtest.h>
+
+namespace ropesim {
+namespace {
+
+TEST(Simulate, BeginsAtTheStart) {
+    const Rope rope = seed_rope(16);
+    const Trajectory trajectory = simulate(rope, find_method("stormer_verlet"), stepping(1.0, 64), 3);
+    ASSERT_EQ(trajectory.frames.size(), 3u);
+    EXPECT_TRUE((trajectory.frames[0] == rope.start).all());
+    EXPECT_FALSE(trajectory.diverged);
+}
+
+TEST(Simulate, GivesTheSameBitsForAnyNumberOfFrames) {
+    const Rope rope = seed_rope(16);
+    const Method& method = find_method("seed_verlet");
+    const Trajectory few = simulate(rope, method, stepping(1.0, 48), 7);
+    const Trajectory many = simulate(rope, method, stepping(1.0, 48), 50);
+    for (std::size_t frame = 0; frame < few.frames.size(); ++frame)
+        EXPECT_TRUE((few.frames[frame] == many.frames[frame]).all());
+}
+
+TEST(Simulate, EndsWhereTheRopeDivergesAndKeepsNothingNonFinite) {
+    for (const long steps : {1, 2, 8, 64}) {
+        const Trajectory trajectory =
+            simulate(seed_rope(16), find_method("explicit_euler"), stepping(1.0, steps), 400);
+        ASSERT_TRUE(trajectory.diverged) << steps;
+        EXPECT_EQ(trajectory.frames.size(), static_cast<std::size_t>(*trajectory.diverged));
+        for (const Points& points : trajectory.frames) EXPECT_TRUE(points.isFinite().all());
+        EXPECT_TRUE(std::isfinite(trajectory.energy_drift) && std::isfinite(trajectory.largest_stretch));
+    }
+}
+
+// A rope without springs falls apart; that is motion, not divergence.
+TEST(Simulate, DoesNotMistakeFreeFallForDivergence) {
+    Rope rope = seed_rope(16);
+    rope.stiffness = 0.0;
+    EXPECT_FALSE(simulate(rope, find_method("symplectic_euler"), stepping(1.0, 16), 2000).diverged);
+}
+
+}  // namespace
+}  // namespace ropesim

@@ -1,5 +1,6 @@
 #include "simulation/diagnostics.h"
 
+#include "simulation/link_impulses.h"
 #include "simulation/links.h"
 
 #include <algorithm>
@@ -46,11 +47,46 @@ Energy energy(const Rope& rope, Model model, const State& state) {
     return energy;
 }
 
+double greatest_distance(const Points& expected, const Points& actual) {
+    return (expected - actual).square().rowwise().sum().sqrt().maxCoeff();
+}
+
 double longest_link(const Points& position) {
     double longest = 0.0;
     for (Eigen::Index link = 0; link + 1 < position.rows(); ++link)
         longest = std::max(longest, length(position, link));
     return longest;
+}
+
+double rope_length(const Points& position) {
+    double sum = 0.0;
+    for (Eigen::Index link = 0; link + 1 < position.rows(); ++link) sum += length(position, link);
+    return sum;
+}
+
+Eigen::ArrayXd tensions(const Rope& rope, Model model, const State& state) {
+    const Eigen::Index links = state.position.rows() - 1;
+    Eigen::ArrayXd tension(links);
+    if (model == Model::elastic) {
+        for (Eigen::Index i = 0; i < links; ++i)
+            tension(i) = rope.stiffness * (length(state.position, i) - rope.rest_length);
+        return tension;
+    }
+    const Points link = state.position.bottomRows(links) - state.position.topRows(links);
+    const Points fall = rope.free_fall.bottomRows(links) - rope.free_fall.topRows(links);
+    const Points turn = state.velocity.bottomRows(links) - state.velocity.topRows(links);
+    tension =
+        link.col(0) * fall.col(0) + link.col(1) * fall.col(1) + turn.col(0).square() + turn.col(1).square();
+    for (Eigen::Index i = 0; i < links; ++i)
+        if (rope.inverse_mass(i) + rope.inverse_mass(i + 1) == 0.0) tension(i) = 0.0;
+    Eigen::ArrayXd factors;
+    solve_impulses(rope.inverse_mass, link, link, factors, tension);
+    return tension * rope.rest_length;
+}
+
+Diagnostics diagnostics(const Rope& rope, Model model, const State& state) {
+    return {energy(rope, model, state), longest_link(state.position) / rope.rest_length - 1.0,
+            tensions(rope, model, state).maxCoeff(), rope_length(state.position)};
 }
 
 double greatest_frequency(const Rope& rope) {

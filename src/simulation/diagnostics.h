@@ -16,8 +16,28 @@ struct Energy {
 };
 Energy energy(const Rope& rope, Model model, const State& state);
 
+// The greatest distance of a mass from where it should be, world units.
+double greatest_distance(const Points& expected, const Points& actual);
+
 // Greatest length of a link, world units.
 double longest_link(const Points& position);
+
+// Length along the rope, world units.
+double rope_length(const Points& position);
+
+// Tension of every link: force, negative where a spring is compressed or a rod pushes. For an inextensible
+// rope it is what keeps |d| = l as the masses move: d·(a' - a) + |v' - v|² = 0 for each link, a tridiagonal
+// system. Where that leaves it open (a rope straight between two pins) it is one of the answers.
+Eigen::ArrayXd tensions(const Rope& rope, Model model, const State& state);
+
+// What a rope is like in one frame.
+struct Diagnostics {
+    Energy energy;
+    double largest_stretch = 0.0;  // greatest length of a link divided by the rest length, less 1
+    double largest_tension = 0.0;  // force
+    double length = 0.0;           // world units
+};
+Diagnostics diagnostics(const Rope& rope, Model model, const State& state);
 
 // Greatest angular frequency that the springs of this rope can have in any state, radians per unit of
 // time: that of the straight chain. The stiffness of a link is k (1 - l/L) across and k along it, at most k

@@ -2,7 +2,6 @@
 
 #include "simulation/methods/methods.h"
 
-#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -12,20 +11,39 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-const std::array<Method, 6> table{{
-    {"explicit_euler", Model::elastic, 1, 0.0, explicit_euler_stable, explicit_euler,
+constexpr Keeps nothing{};
+constexpr Keeps momentum{.momentum = true};
+constexpr Keeps symplectic{.symplectic = true, .momentum = true, .angular_momentum = true};
+constexpr Keeps symmetric{.symplectic = true, .reversible = true, .momentum = true, .angular_momentum = true};
+
+const Method table[] = {
+    {"explicit_euler", Model::elastic, 1, 0.0, explicit_euler_stable, momentum, explicit_euler,
      "shows how a method blows up: undamped, no step is stable"},
-    {"symplectic_euler", Model::elastic, 1, 2.0, symplectic_euler_stable, symplectic_euler,
+    {"symplectic_euler", Model::elastic, 1, 2.0, symplectic_euler_stable, symplectic, symplectic_euler,
      "the simplest that keeps its energy; the assignment's Euler"},
-    {"stormer_verlet", Model::elastic, 2, 2.0, stormer_verlet_stable, stormer_verlet,
+    {"stormer_verlet", Model::elastic, 2, 2.0, stormer_verlet_stable, symmetric, stormer_verlet,
      "as cheap as symplectic Euler and of order 2: the one to take"},
-    {"constraint_projection", Model::inextensible, 1, unlimited, nullptr, constraint_projection,
+    {"backward_euler", Model::elastic, 1, unlimited, nullptr, momentum, backward_euler,
+     "any step, however stiff the rope; eats energy, so for ropes that come to rest"},
+    {"implicit_midpoint", Model::elastic, 2, unlimited, nullptr, symmetric, implicit_midpoint,
+     "any step, however stiff the rope, and keeps its energy"},
+    {"runge_kutta_4", Model::elastic, 4, 2.8284271247461903, runge_kutta_4_stable, momentum, runge_kutta_4,
+     "what most people reach for; loses energy, where a splitting keeps it"},
+    {"blanes_moan_4", Model::elastic, 4, 5.0269072957885852, blanes_moan_4_stable, symmetric, blanes_moan_4,
+     "few large steps: the cheapest where a few pixels are allowed"},
+    {"blanes_moan_6", Model::elastic, 6, 6.1500083017686670, blanes_moan_6_stable, symmetric, blanes_moan_6,
+     "errors below a pixel and far below: the most accurate for its cost"},
+    {"xpbd", Model::elastic, 1, unlimited, nullptr, momentum, xpbd,
+     "springs of any stiffness at any step, by sweeps over the links; damps"},
+    {"constraint_projection", Model::inextensible, 1, unlimited, nullptr, momentum, constraint_projection,
      "a rope that does not stretch, by sweeps over its links; any step"},
-    {"seed_verlet", Model::elastic, 1, 2.0, symplectic_euler_stable, seed_verlet,
+    {"direct_projection", Model::inextensible, 2, unlimited, nullptr, symmetric, direct_projection,
+     "a rope that does not stretch, of order 2 and without loss: the one to take for stiff ropes"},
+    {"seed_verlet", Model::elastic, 1, 2.0, symplectic_euler_stable, symplectic, seed_verlet,
      "the assignment's Verlet to the letter: its start costs an order"},
-    {"seed_constraints", Model::inextensible, 1, unlimited, nullptr, seed_constraints,
+    {"seed_constraints", Model::inextensible, 1, unlimited, nullptr, nothing, seed_constraints,
      "the assignment's infinite stiffness to the letter: one sweep, halves"},
-}};
+};
 
 }  // namespace
 
@@ -48,6 +66,15 @@ const Method& find_method(std::string_view name) {
 
 std::string_view name(Model model) {
     return model == Model::elastic ? "elastic" : "inextensible";
+}
+
+std::string letters(const Keeps& keeps) {
+    std::string text;
+    if (keeps.symplectic) text += 's';
+    if (keeps.reversible) text += 'r';
+    if (keeps.momentum) text += 'm';
+    if (keeps.angular_momentum) text += 'a';
+    return text.empty() ? "-" : text;
 }
 
 }  // namespace ropesim

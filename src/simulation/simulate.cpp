@@ -13,7 +13,25 @@ bool has_diverged(const Rope& rope, const State& state) {
            longest_link(state.position) > sensible_length(rope, state.time);
 }
 
+double largest(const std::vector<Diagnostics>& frames, double Diagnostics::*member) {
+    double result = frames.empty() ? 0.0 : frames.front().*member;
+    for (const Diagnostics& frame : frames) result = std::max(result, frame.*member);
+    return result;
+}
+
 }  // namespace
+
+double Trajectory::largest_stretch() const {
+    return largest(diagnostics, &Diagnostics::largest_stretch);
+}
+
+double Trajectory::largest_tension() const {
+    return largest(diagnostics, &Diagnostics::largest_tension);
+}
+
+double Trajectory::energy_drift() const {
+    return diagnostics.empty() ? 0.0 : diagnostics.back().energy.total() - diagnostics.front().energy.total();
+}
 
 double sensible_length(const Rope& rope, double time) {
     const double links = static_cast<double>(rope.start.rows() - 1);
@@ -26,7 +44,6 @@ Trajectory simulate(const Rope& rope, const Method& method, const Stepping& step
     Scratch scratch;
     Trajectory trajectory;
     const double frame_time = static_cast<double>(stepping.steps) * stepping.step_size;
-    const double first_energy = energy(rope, method.model, state).total();
     for (long frame = 0; frame < frames; ++frame) {
         if (frame > 0) method.advance(rope, stepping, state, scratch);
         state.time = static_cast<double>(frame) * frame_time;
@@ -34,11 +51,10 @@ Trajectory simulate(const Rope& rope, const Method& method, const Stepping& step
             trajectory.diverged = frame;
             break;
         }
-        trajectory.largest_stretch =
-            std::max(trajectory.largest_stretch, longest_link(state.position) / rope.rest_length - 1.0);
-        trajectory.energy_drift = energy(rope, method.model, state).total() - first_energy;
+        trajectory.diagnostics.push_back(diagnostics(rope, method.model, state));
         trajectory.frames.push_back(state.position);
     }
+    trajectory.cost = scratch.cost;
     return trajectory;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/diagnostics.h"
 #include "simulation/method.h"
 
 #include <optional>
@@ -9,11 +10,14 @@ namespace ropesim {
 
 // How a rope moved. Where it diverged the frames end; nothing in it is ever non-finite.
 struct Trajectory {
-    std::vector<Points> frames;    // positions of frame 0 (the start), 1, 2, ...; world units, masses×2
-    std::optional<long> diverged;  // the frame that the rope did not reach
-    double largest_stretch =
-        0.0;                    // greatest length of a link in any frame, divided by the rest length, less 1
-    double energy_drift = 0.0;  // total energy of the last frame less that of the first
+    std::vector<Points> frames;  // positions of frame 0 (the start), 1, 2, ...; world units, masses×2
+    std::vector<Diagnostics> diagnostics;  // of each frame
+    std::optional<long> diverged;          // the frame that the rope did not reach
+    Cost cost;                             // of all frames, that of a diverged one included
+
+    double largest_stretch() const;  // in any frame
+    double largest_tension() const;  // in any frame
+    double energy_drift() const;     // total energy of the last frame less that of the first
 };
 
 // Runs the rope from rest over `frames` frames, frame 0 included. A rope has diverged where a coordinate is

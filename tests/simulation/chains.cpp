@@ -81,8 +81,4 @@ Points positions_at(const Rope& rope, const Method& method, const Stepping& step
     return state.position;
 }
 
-double greatest_distance(const Points& expected, const Points& actual) {
-    return (expected - actual).square().rowwise().sum().sqrt().maxCoeff();
-}
-
 }  // namespace ropesim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/diagnostics.h"
 #include "simulation/method.h"
 
 #include <ostream>
@@ -25,9 +26,6 @@ double pendulum_angle(double start, double omega, double time);
 
 // Advances from rest to frame `frames` and returns the positions there.
 Points positions_at(const Rope& rope, const Method& method, const Stepping& stepping, long frames);
-
-// The greatest distance of a mass from where it should be.
-double greatest_distance(const Points& expected, const Points& actual);
 
 // How a test names a row of the table.
 inline void PrintTo(const Method& method, std::ostream* out) {

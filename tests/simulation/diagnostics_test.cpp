@@ -58,6 +58,46 @@ TEST(GreatestFrequency, IsZeroWhereNothingCanSwing) {
     EXPECT_EQ(greatest_frequency(finished(rope)), 0.0);
 }
 
+// A conical pendulum in the plane: a chain swinging through its lowest point turns as one, at rate ω about
+// the pin; link i carries the weight below it and m ω² r of each mass below it.
+TEST(Tensions, OfARopeThatSwingsAsOne) {
+    Rope rope = straight_rope(4, {0.0, -1.0}, {0.0, -1.5});
+    rope.mass << 1.0, 2.0, 0.5, 3.0;
+    rope = finished(rope);
+    State state = at_rest(rope);
+    const double omega = 0.8;
+    for (int i = 0; i < 4; ++i) state.velocity(i, 0) = omega * i;
+    const Eigen::ArrayXd tension = tensions(rope, Model::inextensible, state);
+    double expected = 0.0;
+    for (int i = 3; i >= 1; --i) {
+        expected += rope.mass(i) * (1.5 + omega * omega * i);
+        EXPECT_NEAR(tension(i - 1), expected, 1e-13) << i;
+    }
+}
+
+// Two links, pinned at both ends, sagging by 3-4-5: the middle carries its weight by 2 T 4/5.
+TEST(Tensions, OfARopeHeldAtBothEnds) {
+    Rope rope = straight_rope(3, {1.0, 0.0}, {0.0, -2.0});
+    rope.start << 0.0, 0.0, 0.6, -0.8, 1.2, 0.0;
+    rope.pinned = {0, 2};
+    rope = finished(rope);
+    const Eigen::ArrayXd tension = tensions(rope, Model::inextensible, at_rest(rope));
+    EXPECT_NEAR(tension(0), 1.25, 1e-14);
+    EXPECT_NEAR(tension(1), 1.25, 1e-14);
+}
+
+TEST(Tensions, OfSpringsFollowHookesLaw) {
+    Rope rope = straight_rope(3, {1.0, 0.0}, {0.0, -2.0});
+    rope.start << 0.0, 0.0, 1.5, 0.0, 1.5, 0.25;
+    const Eigen::ArrayXd tension = tensions(finished(rope), Model::elastic, at_rest(rope));
+    EXPECT_DOUBLE_EQ(tension(0), 50.0);
+    EXPECT_DOUBLE_EQ(tension(1), -75.0);
+    const Diagnostics all = diagnostics(rope, Model::elastic, at_rest(rope));
+    EXPECT_DOUBLE_EQ(all.largest_tension, 50.0);
+    EXPECT_DOUBLE_EQ(all.largest_stretch, 0.5);
+    EXPECT_DOUBLE_EQ(all.length, 1.75);
+}
+
 TEST(LongestLink, IsTheLongest) {
     Points position(4, 2);
     position << 0.0, 0.0, 1.0, 0.0, 4.0, 4.0, 4.0, 6.0;

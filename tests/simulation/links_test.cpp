@@ -10,10 +10,9 @@ namespace ropesim {
 namespace {
 
 Points accelerations_of(const Rope& rope, const Points& position) {
-    Points link_force;
-    Points acceleration;
-    accelerations(rope, position, link_force, acceleration);
-    return acceleration;
+    Scratch scratch;
+    accelerations(rope, position, scratch);
+    return scratch.acceleration;
 }
 
 // One spring, stretched along 3-4-5: tension k (5 - 1) = 400 along (3, 4)/5.
@@ -54,9 +53,11 @@ TEST(Accelerations, OfALinkWithoutLengthAreGravityAlone) {
 TEST(PullToRestLength, SharesTheExcess) {
     Points position(2, 2);
     position << 0.0, 0.0, 0.0, 5.0;
-    pull_to_rest_length(position, 0, 1.0, 0.25, 0.75);
-    EXPECT_NEAR(position(0, 1), 1.0, 1e-15);
-    EXPECT_NEAR(position(1, 1), 2.0, 1e-15);
+    Points moved = Points::Zero(2, 2);
+    moved(1, 1) = 4.0;  // 9 long by now
+    pull_to_rest_length(position, moved, 0, 1.0, 0.25, 0.75);
+    EXPECT_NEAR(moved(0, 1), 2.0, 1e-15);
+    EXPECT_NEAR(moved(1, 1), 4.0 - 6.0, 1e-15);
 }
 
 TEST(Decay, IsTheExponential) {
@@ -65,6 +66,28 @@ TEST(Decay, IsTheExponential) {
         EXPECT_NEAR(decay(x) / std::exp(-x), 1.0, 4e-16 * (1.0 + 16.0 * x))
             << x;  // squaring doubles rounding
     EXPECT_EQ(decay(1e9), 0.0);
+    for (double x = 1e-12; x < 10.0; x *= 1.37)
+        EXPECT_NEAR(decay(-x) / std::exp(x), 1.0, 4e-16 * (1.0 + 16.0 * x)) << x;
+}
+
+TEST(MeanDecay, IsTheMeanOfTheExponential) {
+    EXPECT_EQ(mean_decay(0.0), 1.0);
+    for (double x = 1e-12; x < 600.0; x *= 1.37) {
+        EXPECT_NEAR(mean_decay(x) * x / -std::expm1(-x), 1.0, 4e-15) << x;
+    }
+    for (double x = 1e-12; x < 10.0; x *= 1.37)
+        EXPECT_NEAR(mean_decay(-x) * x / std::expm1(x), 1.0, 4e-16 * (2.0 + 16.0 * x)) << x;
+    EXPECT_EQ(mean_decay(INFINITY), 0.0);
+}
+
+// What is left after the exponent is what the rate and the factor leave.
+TEST(DampingPerStep, IsTheLogarithmOfWhatIsLost) {
+    Rope rope = straight_rope(2, {1.0, 0.0}, {0.0, 0.0});
+    rope.damping = 0.25;
+    for (const double factor : {0.0, 1e-9, 0.00005, 0.1, 0.5, 0.999, 1.0 - 1e-12})
+        EXPECT_NEAR(damping_per_step(rope, {.step_size = 0.5, .damping_factor = factor}),
+                    0.125 - std::log1p(-factor), 1e-15 * (1.0 - 16.0 * std::log1p(-factor)))
+            << factor;
 }
 
 }  // namespace

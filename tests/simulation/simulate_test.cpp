@@ -31,8 +31,18 @@ TEST(Simulate, EndsWhereTheRopeDivergesAndKeepsNothingNonFinite) {
         ASSERT_TRUE(trajectory.diverged) << steps;
         EXPECT_EQ(trajectory.frames.size(), static_cast<std::size_t>(*trajectory.diverged));
         for (const Points& points : trajectory.frames) EXPECT_TRUE(points.isFinite().all());
-        EXPECT_TRUE(std::isfinite(trajectory.energy_drift) && std::isfinite(trajectory.largest_stretch));
+        EXPECT_TRUE(std::isfinite(trajectory.energy_drift()) && std::isfinite(trajectory.largest_stretch()));
     }
+}
+
+// Störmer-Verlet starts every frame anew: one evaluation more than its steps.
+TEST(Simulate, CountsWhatItComputes) {
+    EXPECT_EQ(simulate(seed_rope(16), find_method("stormer_verlet"), stepping(1.0, 64), 11).cost.evaluations,
+              10 * 65);
+    Stepping swept = stepping(1.0, 64);
+    swept.sweeps = 3;
+    EXPECT_EQ(simulate(seed_rope(16), find_method("constraint_projection"), swept, 11).cost.solves,
+              10 * 64 * 3);
 }
 
 // A rope without springs falls apart; that is motion, not divergence.

@@ -11,18 +11,21 @@ namespace ropesim {
 void constraint_projection(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
     const double h = stepping.step_size;
     const double kept = velocity_kept(rope, stepping);
+    Points& moved = scratch.displacement;  // x' - x, which unlike x' loses no digits to where the rope is
     for (long step = 0; step < stepping.steps; ++step) {
-        scratch.previous = state.position;
-        state.position += h * (kept * state.velocity + h * rope.free_fall);
+        moved = h * (kept * state.velocity + h * rope.free_fall);
         for (int sweep = 0; sweep < stepping.sweeps; ++sweep) {
+            ++scratch.cost.solves;
             for (Eigen::Index link = 0; link + 1 < state.position.rows(); ++link) {
                 const double first = rope.inverse_mass(link);
                 const double both = first + rope.inverse_mass(link + 1);
                 if (both == 0.0) continue;
-                pull_to_rest_length(state.position, link, rope.rest_length, first / both, 1.0 - first / both);
+                pull_to_rest_length(state.position, moved, link, rope.rest_length, first / both,
+                                    1.0 - first / both);
             }
         }
-        state.velocity = (state.position - scratch.previous) / h;
+        state.position += moved;
+        state.velocity = moved / h;
     }
 }
 

@@ -11,7 +11,7 @@ void explicit_euler(const Rope& rope, const Stepping& stepping, State& state, Sc
     const double h = stepping.step_size;
     const double kept = velocity_kept(rope, stepping);
     for (long step = 0; step < stepping.steps; ++step) {
-        accelerations(rope, state.position, scratch.link_force, scratch.acceleration);
+        accelerations(rope, state.position, scratch);
         state.position += h * state.velocity;
         state.velocity = kept * state.velocity + h * scratch.acceleration;
     }

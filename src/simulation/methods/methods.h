@@ -8,12 +8,22 @@ namespace ropesim {
 Advance explicit_euler;
 Advance symplectic_euler;
 Advance stormer_verlet;
+Advance backward_euler;
+Advance implicit_midpoint;
+Advance runge_kutta_4;
+Advance blanes_moan_4;
+Advance blanes_moan_6;
+Advance xpbd;
 Advance constraint_projection;
+Advance direct_projection;
 Advance seed_verlet;
 Advance seed_constraints;
 
 Stable explicit_euler_stable;
 Stable symplectic_euler_stable;
 Stable stormer_verlet_stable;
+Stable runge_kutta_4_stable;
+Stable blanes_moan_4_stable;
+Stable blanes_moan_6_stable;
 
 }  // namespace ropesim

@@ -13,11 +13,11 @@ namespace ropesim {
 void stormer_verlet(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
     const double h = stepping.step_size;
     const double kept_half = std::sqrt(velocity_kept(rope, stepping));
-    accelerations(rope, state.position, scratch.link_force, scratch.acceleration);
+    accelerations(rope, state.position, scratch);
     for (long step = 0; step < stepping.steps; ++step) {
         state.velocity = kept_half * state.velocity + h / 2.0 * scratch.acceleration;
         state.position += h * state.velocity;
-        accelerations(rope, state.position, scratch.link_force, scratch.acceleration);
+        accelerations(rope, state.position, scratch);
         state.velocity = kept_half * (state.velocity + h / 2.0 * scratch.acceleration);
     }
 }

@@ -10,7 +10,7 @@ void symplectic_euler(const Rope& rope, const Stepping& stepping, State& state, 
     const double h = stepping.step_size;
     const double kept = velocity_kept(rope, stepping);
     for (long step = 0; step < stepping.steps; ++step) {
-        accelerations(rope, state.position, scratch.link_force, scratch.acceleration);
+        accelerations(rope, state.position, scratch);
         state.velocity = kept * state.velocity + h * scratch.acceleration;
         state.position += h * state.velocity;
     }

@@ -1,0 +1,179 @@
+#include "simulation/link_impulses.h"
+#include "simulation/links.h"
+#include "simulation/methods/methods.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace ropesim {
+namespace {
+
+using Eigen::Index;
+
+// The constraints of a step, |e|² = l² for the links e that it ends with, are met to this share of l². Seven
+// times the rounding of |e|² itself.
+constexpr double tolerance = 1.6e-15;
+// Newton's iteration doubles the digits each time: it needs 2 to 5. What it has not met after this many is
+// taken where rounding alone can be what is left (heavy beside light masses), and else is no solution.
+constexpr int most_iterations = 25;
+constexpr double rounding = 1e-11;
+
+double dot(const Points& a, Index i, const Points& b, Index j) {
+    return a(i, 0) * b(j, 0) + a(i, 1) * b(j, 1);
+}
+
+Eigen::Array2d difference(const Points& points, Index link) {
+    return {points(link + 1, 0) - points(link, 0), points(link + 1, 1) - points(link, 1)};
+}
+
+// Inverse masses; zero also where a rope is pulled straight between two pins: there it has but one shape, and
+// the constraints along it do not determine its tension.
+void find_weights(const Rope& rope, const State& state, Eigen::ArrayXd& weight) {
+    weight = rope.inverse_mass;
+    Index pin = -1;
+    for (Index mass = 0; mass < weight.size(); ++mass) {
+        if (rope.inverse_mass(mass) > 0.0) continue;
+        if (pin >= 0) {
+            const double dx = state.position(mass, 0) - state.position(pin, 0);
+            const double dy = state.position(mass, 1) - state.position(pin, 1);
+            const double reach = rope.rest_length * static_cast<double>(mass - pin);
+            if (std::sqrt(dx * dx + dy * dy) >= reach * (1.0 - 1e-12)) weight.segment(pin, mass - pin) = 0.0;
+        }
+        pin = mass;
+    }
+}
+
+void require_rest_lengths(const Rope& rope, const State& state) {
+    for (Index link = 0; link + 1 < state.position.rows(); ++link) {
+        const Eigen::Array2d d = difference(state.position, link);
+        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        if (!(std::abs(length - rope.rest_length) <= 1e-9 * rope.rest_length))
+            throw std::runtime_error(
+                "direct_projection: link " + std::to_string(link) + " is " + std::to_string(length) +
+                " long at the start; expected its rest length, " + std::to_string(rope.rest_length));
+    }
+}
+
+// Adds to each mass, by its weight, the impulses along the links.
+void add_impulses(const Eigen::ArrayXd& weight, const Points& links, const Eigen::ArrayXd& impulse,
+                  Points& vectors) {
+    for (Index i = 0; i < impulse.size(); ++i) {
+        const double x = impulse(i) * links(i, 0);
+        const double y = impulse(i) * links(i, 1);
+        vectors(i, 0) += weight(i) * x;
+        vectors(i, 1) += weight(i) * y;
+        vectors(i + 1, 0) -= weight(i + 1) * x;
+        vectors(i + 1, 1) -= weight(i + 1) * y;
+    }
+}
+
+// Where the links are once the masses have moved, and half of what each lacks in |e|² to l². The greatest
+// such lack of a link that can move, as a share of l².
+double evaluate_lack(const Rope& rope, DirectProjection& work, const Points& moved) {
+    const double squared = rope.rest_length * rope.rest_length;
+    double worst = 0.0;
+    for (Index i = 0; i < work.lack.size(); ++i) {
+        work.after(i, 0) = work.before(i, 0) + (moved(i + 1, 0) - moved(i, 0));
+        work.after(i, 1) = work.before(i, 1) + (moved(i + 1, 1) - moved(i, 1));
+        const double excess = dot(work.after, i, work.after, i) - squared;
+        const bool held = work.weight(i) + work.weight(i + 1) == 0.0;
+        work.lack(i) = held ? 0.0 : 0.5 * excess;
+        if (!(std::abs(work.lack(i)) <= worst)) worst = std::abs(work.lack(i));  // keeps a NaN
+    }
+    return 2.0 * worst / squared;
+}
+
+// Newton's iteration for the impulses along the links `before` by which the links keep their length. False
+// where it finds none.
+bool keep_lengths(const Rope& rope, DirectProjection& work, Points& moved, Cost& cost) {
+    double last = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        const double worst = evaluate_lack(rope, work, moved);
+        if (worst <= tolerance || (worst <= rounding && worst > 0.5 * last)) return true;
+        if (!std::isfinite(worst)) return false;
+        last = worst;
+        ++cost.solves;
+        solve_impulses(work.weight, work.before, work.after, work.upper, work.lack);
+        add_impulses(work.weight, work.before, work.lack, moved);
+        work.impulse += work.lack;
+    }
+    return false;
+}
+
+// The impulses of this step, from those of the two before: the first step has but half a kick to make up for.
+void guess_impulses(long step, DirectProjection& work) {
+    if (step == 1) work.impulse *= 2.0;
+    if (step <= 2) {
+        work.impulse_before = work.impulse;
+        return;
+    }
+    work.impulse_before = 2.0 * work.impulse - work.impulse_before;
+    work.impulse.swap(work.impulse_before);
+}
+
+void find_links(const Points& position, Points& links) {
+    for (Index i = 0; i < links.rows(); ++i)
+        for (int axis = 0; axis < 2; ++axis) links(i, axis) = position(i + 1, axis) - position(i, axis);
+}
+
+// Takes from the velocities what would change the length of a link (RATTLE's second half).
+void keep_lengths_at_rest(DirectProjection& work, State& state, Cost& cost) {
+    find_links(state.position, work.before);
+    for (Index i = 0; i < work.lack.size(); ++i)
+        work.lack(i) = work.before(i, 0) * (state.velocity(i + 1, 0) - state.velocity(i, 0)) +
+                       work.before(i, 1) * (state.velocity(i + 1, 1) - state.velocity(i, 1));
+    ++cost.solves;
+    solve_impulses(work.weight, work.before, work.before, work.upper, work.lack);
+    add_impulses(work.weight, work.before, work.lack, state.velocity);
+}
+
+void begin(const Rope& rope, const State& state, DirectProjection& work) {
+    const Index links = state.position.rows() - 1;
+    work.before.resize(links, 2);
+    work.after.resize(links, 2);
+    work.lack.resize(links);
+    work.impulse.setZero(links);
+    work.impulse_before.setZero(links);
+    find_weights(rope, state, work.weight);
+    require_rest_lengths(rope, state);
+}
+
+}  // namespace
+
+// Direct projection (SHAKE): Störmer-Verlet whose links keep their length by forces along their directions at
+// the start of the step, found by Newton's iteration on the chain's tridiagonal system. Order 2, symplectic,
+// symmetric; no secular drift of the energy.
+//   v½ = v + h/2 g,   x' = x + h v½ + Σ λ w d(x) with |d(x')| = l,   v½ = (x' - x)/h,   v' = v½ + h/2 g
+// RATTLE's projection of the velocities is along the same directions as the next step's forces, which make up
+// for it: it moves no position, so that only the last step's need it. Damping is exact on both sides of the
+// step (Strang splitting). Ryckaert, Ciccotti, Berendsen: J. Comput. Phys. 23, 1977; Andersen: Rattle,
+// J. Comput. Phys. 52, 1983; Hairer, Lubich, Wanner: Geometric Numerical Integration, 2006, VII.1.4.
+// Throws std::runtime_error where a link does not start at its rest length.
+void direct_projection(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+    const double h = stepping.step_size;
+    const double kept_half = std::sqrt(velocity_kept(rope, stepping));
+    DirectProjection& work = scratch.direct_projection;
+    Points& moved = scratch.displacement;
+    Points& half_kick = scratch.kick;
+    begin(rope, state, work);
+    half_kick = h / 2.0 * rope.free_fall;
+    for (Index i = 0; i < work.weight.size(); ++i)
+        if (work.weight(i) == 0.0) half_kick.row(i) = 0.0;
+    for (long step = 0; step < stepping.steps; ++step) {
+        find_links(state.position, work.before);
+        moved = h * (kept_half * state.velocity + half_kick);
+        guess_impulses(step, work);
+        add_impulses(work.weight, work.before, work.impulse, moved);
+        if (!keep_lengths(rope, work, moved, scratch.cost)) {
+            state.position = std::numeric_limits<double>::quiet_NaN();
+            return;
+        }
+        state.position += moved;
+        state.velocity = kept_half * (moved / h + half_kick);
+    }
+    keep_lengths_at_rest(work, state, scratch.cost);
+}
+
+}  // namespace ropesim

@@ -1,0 +1,272 @@
+#include "image/deflate.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+
+// Section numbers are those of RFC 1951: Deutsch, DEFLATE Compressed Data Format Specification, 1996.
+
+namespace ropesim {
+
+namespace {
+
+constexpr std::size_t end_of_block = 256;     // after the 256 bytes, before the lengths (3.2.5)
+constexpr std::size_t length_symbols = 257;   // the first of them
+constexpr std::size_t longest_symbol = 285;   // 258 bytes, and no extra bits
+constexpr std::size_t literal_symbols = 286;  // bytes, end of block and lengths
+constexpr std::size_t distance_symbols = 30;
+constexpr std::uint32_t dynamic_codes = 2;      // the type of a block (3.2.3)
+constexpr int longest_code = 15;                // bits (3.2.7)
+constexpr int longest_code_of_code_length = 7;  // bits (3.2.7)
+
+// The order in which the lengths of the code of code lengths are written (3.2.7).
+constexpr std::array<std::uint8_t, 19> order_of_lengths{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
+                                                        11, 4,  12, 3, 13, 2, 14, 1, 15};
+
+// A number as deflate writes it: a Huffman symbol for a range of numbers, then the place in the range.
+struct Ranged {
+    std::size_t symbol;
+    std::uint32_t extra;
+    int extra_bits;
+};
+
+// The tables of 3.2.5 as a formula: numbers below 2^(m+1) are ranges of their own; above, each power of
+// two is split into 2^m ranges. m is 2 for lengths less 3 and 1 for distances less 1.
+Ranged ranged(std::uint32_t number, int m) {
+    if (number < 2U << m) return {number, 0, 0};
+    const int extra_bits = std::bit_width(number) - 1 - m;
+    const std::uint32_t leading = number >> extra_bits;  // 2^m to 2^(m+1) - 1
+    return {leading + (static_cast<std::uint32_t>(extra_bits) << m), number & ((1U << extra_bits) - 1),
+            extra_bits};
+}
+
+Ranged ranged_length(std::uint16_t length) {
+    if (length == longest_repetition) return {longest_symbol, 0, 0};
+    Ranged result = ranged(length - 3U, 2);
+    result.symbol += length_symbols;
+    return result;
+}
+
+Ranged ranged_distance(std::uint16_t distance) {
+    return ranged(distance - 1U, 1);
+}
+
+// Depths of the leaves of Huffman's tree for these counts, which ascend; at least two. Each step joins the
+// two lightest of what is left; joined nodes come out in ascending order, so that two queues suffice.
+std::vector<int> huffman_depths(std::span<const std::uint64_t> counts) {
+    const std::size_t leaves = counts.size();
+    std::vector<std::uint64_t> weight(counts.begin(), counts.end());
+    std::vector<std::size_t> parent(2 * leaves - 1);
+    std::size_t leaf = 0;
+    std::size_t joined = leaves;
+    while (weight.size() < parent.size()) {
+        std::uint64_t sum = 0;
+        for (int i = 0; i < 2; ++i) {
+            const bool take_leaf =
+                leaf < leaves && (joined == weight.size() || weight[leaf] <= weight[joined]);
+            const std::size_t lightest = take_leaf ? leaf++ : joined++;
+            sum += weight[lightest];
+            parent[lightest] = weight.size();
+        }
+        weight.push_back(sum);
+    }
+    std::vector<int> depth(parent.size(), 0);
+    for (std::size_t i = parent.size() - 1; i-- > 0;) depth[i] = depth[parent[i]] + 1;
+    depth.resize(leaves);
+    return depth;
+}
+
+// A Huffman code's length for each symbol, 0 where its count is 0; none is longer than `limit`. Where
+// Huffman's tree is deeper, the counts are drawn together by halving until it is not.
+std::vector<std::uint8_t> code_lengths(std::span<const std::uint32_t> counts, int limit) {
+    std::vector<std::size_t> symbols;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) symbols.push_back(i);
+    }
+    std::ranges::stable_sort(symbols, {}, [&](std::size_t symbol) { return counts[symbol]; });
+    std::vector<std::uint64_t> ascending;
+    for (const std::size_t symbol : symbols) ascending.push_back(counts[symbol]);
+    std::vector<int> depths = huffman_depths(ascending);
+    while (std::ranges::max(depths) > limit) {
+        for (std::uint64_t& count : ascending) count = count / 2 + 1;
+        depths = huffman_depths(ascending);
+    }
+    std::vector<std::uint8_t> lengths(counts.size(), 0);
+    for (std::size_t i = 0; i < symbols.size(); ++i) {
+        lengths[symbols[i]] = static_cast<std::uint8_t>(depths[i]);
+    }
+    return lengths;
+}
+
+struct Code {
+    std::uint16_t bits = 0;  // as they are written, the first lowest
+    std::uint8_t length = 0;
+};
+
+std::uint16_t reversed(std::uint16_t bits, int count) {
+    std::uint16_t result = 0;
+    for (int i = 0; i < count; ++i) {
+        result = static_cast<std::uint16_t>(result << 1 | (bits >> i & 1));
+    }
+    return result;
+}
+
+// The codes that follow from their lengths (3.2.2).
+std::vector<Code> codes(std::span<const std::uint8_t> lengths) {
+    std::array<std::uint16_t, longest_code + 1> count{};  // of codes, by length
+    for (const std::uint8_t length : lengths) ++count[length];
+    count[0] = 0;
+    std::array<std::uint16_t, longest_code + 1> next{};  // code, by length
+    for (std::size_t i = 1; i < next.size(); ++i) {
+        next[i] = static_cast<std::uint16_t>((next[i - 1] + count[i - 1]) << 1);
+    }
+    std::vector<Code> result;
+    for (const std::uint8_t length : lengths) {
+        result.push_back({length == 0 ? std::uint16_t{0} : reversed(next[length]++, length), length});
+    }
+    return result;
+}
+
+// Huffman's tree needs two leaves.
+void use_two_symbols(std::span<std::uint32_t> counts) {
+    auto used = std::ranges::count_if(counts, [](std::uint32_t count) { return count > 0; });
+    for (std::size_t i = 0; used < 2; ++i) {
+        if (counts[i] > 0) continue;
+        counts[i] = 1;
+        ++used;
+    }
+}
+
+// One symbol of the alphabet in which a block's code lengths are written (3.2.7).
+struct LengthSymbol {
+    std::uint8_t symbol;
+    std::uint8_t extra;
+    std::uint8_t extra_bits;
+};
+
+LengthSymbol repeated(std::uint8_t symbol, std::size_t excess, int extra_bits) {
+    return {symbol, static_cast<std::uint8_t>(excess), static_cast<std::uint8_t>(extra_bits)};
+}
+
+// Code lengths as such symbols: 0 to 15 stand for themselves, 16 for 3 to 6 of what came before,
+// 17 for 3 to 10 zeros, 18 for 11 to 138 zeros.
+std::vector<LengthSymbol> length_symbols_of(std::span<const std::uint8_t> lengths) {
+    std::vector<LengthSymbol> symbols;
+    for (std::size_t i = 0; i < lengths.size();) {
+        std::size_t end = i;
+        while (end < lengths.size() && lengths[end] == lengths[i]) ++end;
+        const std::size_t run = end - i;
+        if (lengths[i] == 0 && run >= 11) {
+            const std::size_t taken = std::min<std::size_t>(run, 138);
+            symbols.push_back(repeated(18, taken - 11, 7));
+            i += taken;
+        } else if (lengths[i] == 0 && run >= 3) {
+            symbols.push_back(repeated(17, run - 3, 3));
+            i += run;
+        } else {
+            symbols.push_back({lengths[i], 0, 0});
+            ++i;
+            if (run < 4 || lengths[i - 1] == 0) continue;
+            const std::size_t taken = std::min<std::size_t>(run - 1, 6);
+            symbols.push_back(repeated(16, taken - 3, 2));
+            i += taken;
+        }
+    }
+    return symbols;
+}
+
+std::size_t used_symbols(std::span<const std::uint8_t> lengths) {
+    std::size_t used = lengths.size();
+    while (used > 0 && lengths[used - 1] == 0) --used;
+    return used;
+}
+
+}  // namespace
+
+Deflater::Deflater(std::vector<std::uint8_t> stream) : stream_(std::move(stream)) {}
+
+std::vector<std::uint8_t> Deflater::finish() {
+    write_block(true);
+    put(0, (8 - bit_count_ % 8) % 8);
+    for (; bit_count_ > 0; bit_count_ -= 8, bits_ >>= 8) stream_.push_back(static_cast<std::uint8_t>(bits_));
+    return std::move(stream_);
+}
+
+// A block with dynamic Huffman codes (3.2.7).
+void Deflater::write_block(bool last) {
+    std::array<std::uint32_t, literal_symbols> literal_counts{};
+    std::array<std::uint32_t, distance_symbols> distance_counts{};
+    literal_counts[end_of_block] = 1;
+    for (const Token& token : tokens_) {
+        if (token.length == 0) {
+            ++literal_counts[token.byte_or_distance];
+        } else {
+            ++literal_counts[ranged_length(token.length).symbol];
+            ++distance_counts[ranged_distance(token.byte_or_distance).symbol];
+        }
+    }
+    use_two_symbols(literal_counts);
+    use_two_symbols(distance_counts);
+    const std::vector<std::uint8_t> literals = code_lengths(literal_counts, longest_code);
+    const std::vector<std::uint8_t> distances = code_lengths(distance_counts, longest_code);
+    put(last ? 1 : 0, 1);
+    put(dynamic_codes, 2);
+    write_code_lengths(literals, distances);
+    write_tokens(literals, distances);
+    tokens_.clear();
+}
+
+void Deflater::write_code_lengths(std::span<const std::uint8_t> literals,
+                                  std::span<const std::uint8_t> distances) {
+    const std::size_t literals_used = used_symbols(literals);
+    const std::size_t distances_used = used_symbols(distances);
+    const auto used_distances = distances.first(distances_used);
+    std::vector<std::uint8_t> lengths(literals.begin(), literals.end());
+    lengths.resize(literals_used);
+    lengths.insert(lengths.end(), used_distances.begin(), used_distances.end());
+    const std::vector<LengthSymbol> symbols = length_symbols_of(lengths);
+
+    std::array<std::uint32_t, order_of_lengths.size()> counts{};
+    for (const LengthSymbol& symbol : symbols) ++counts[symbol.symbol];
+    const std::vector<std::uint8_t> code_sizes = code_lengths(counts, longest_code_of_code_length);
+    std::array<std::uint8_t, order_of_lengths.size()> ordered{};
+    for (std::size_t i = 0; i < ordered.size(); ++i) ordered[i] = code_sizes[order_of_lengths[i]];
+    const std::size_t ordered_used = used_symbols(ordered);
+
+    put(static_cast<std::uint32_t>(literals_used - 257), 5);
+    put(static_cast<std::uint32_t>(distances_used - 1), 5);
+    put(static_cast<std::uint32_t>(ordered_used - 4), 4);
+    for (std::size_t i = 0; i < ordered_used; ++i) put(ordered[i], 3);
+    const std::vector<Code> code = codes(code_sizes);
+    for (const LengthSymbol& symbol : symbols) {
+        put(code[symbol.symbol].bits, code[symbol.symbol].length);
+        put(symbol.extra, symbol.extra_bits);
+    }
+}
+
+void Deflater::write_tokens(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances) {
+    const std::vector<Code> literal_codes = codes(literals);
+    const std::vector<Code> distance_codes = codes(distances);
+    const auto put_code = [&](Code code) { put(code.bits, code.length); };
+    for (const Token& token : tokens_) {
+        if (token.length == 0) {
+            put_code(literal_codes[token.byte_or_distance]);
+            continue;
+        }
+        const Ranged length = ranged_length(token.length);
+        put_code(literal_codes[length.symbol]);
+        put(length.extra, length.extra_bits);
+        const Ranged distance = ranged_distance(token.byte_or_distance);
+        put_code(distance_codes[distance.symbol]);
+        put(distance.extra, distance.extra_bits);
+    }
+    put_code(literal_codes[end_of_block]);
+}
+
+void Deflater::write_word() {
+    for (int i = 0; i < 4; ++i, bits_ >>= 8) stream_.push_back(static_cast<std::uint8_t>(bits_));
+    bit_count_ -= 32;
+}
+
+}  // namespace ropesim

@@ -1,0 +1,104 @@
+#include "image/png_chunks.h"
+
+#include "image/png.h"
+
+#include <zlib.h>
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+namespace ropesim {
+
+namespace {
+
+constexpr std::size_t frame_bytes = 12;  // of a chunk, around its data: length, type, checksum
+
+std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
+}
+
+[[noreturn]] void fail(std::string_view name, const std::string& problem) {
+    throw std::runtime_error(std::string(name) + ": " + problem);
+}
+
+std::string hexadecimal(std::uint32_t number) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "0x";
+    for (int shift = 28; shift >= 0; shift -= 4) text += digits[(number >> shift) & 15U];
+    return text;
+}
+
+// The chunk that begins at `offset`.
+Chunk chunk_at(std::span<const std::uint8_t> bytes, std::size_t offset, std::string_view name) {
+    const std::size_t left = bytes.size() - offset;
+    if (left < frame_bytes) {
+        fail(name, "the file is cut off after " + std::to_string(bytes.size()) +
+                       " bytes, expected chunks up to IEND");
+    }
+    const std::size_t length = number_at(bytes, offset);
+    if (length > left - frame_bytes) {
+        fail(name, "the file is cut off after " + std::to_string(bytes.size()) +
+                       " bytes, expected a chunk of " + std::to_string(length) + " bytes at byte " +
+                       std::to_string(offset));
+    }
+    const std::uint32_t found = checksum(bytes.subspan(offset + 4, 4 + length));
+    const std::uint32_t expected = number_at(bytes, offset + 8 + length);
+    if (found != expected) {
+        fail(name, "the chunk at byte " + std::to_string(offset) + " is damaged: its checksum is " +
+                       hexadecimal(found) + ", expected " + hexadecimal(expected));
+    }
+    return {{reinterpret_cast<const char*>(&bytes[offset + 4]), 4}, bytes.subspan(offset + 8, length)};
+}
+
+}  // namespace
+
+bool is_png(std::span<const std::uint8_t> bytes) {
+    return bytes.size() >= png_signature.size() &&
+           std::ranges::equal(bytes.first(png_signature.size()), png_signature);
+}
+
+std::vector<Chunk> png_chunks(std::span<const std::uint8_t> bytes, std::string_view name) {
+    if (!is_png(bytes)) {
+        fail(name, "found " + std::to_string(bytes.size()) +
+                       " bytes that do not begin with the PNG signature, expected a PNG");
+    }
+    std::vector<Chunk> chunks;
+    std::size_t offset = png_signature.size();
+    while (chunks.empty() || chunks.back().type != "IEND") {
+        chunks.push_back(chunk_at(bytes, offset, name));
+        offset += frame_bytes + chunks.back().data.size();
+    }
+    if (offset != bytes.size()) {
+        fail(name, "found " + std::to_string(bytes.size() - offset) + " bytes after IEND, expected none");
+    }
+    if (chunks.front().type != "IHDR" || chunks.front().data.size() != 13) {
+        fail(name, "the first chunk is no IHDR of 13 bytes, expected one");
+    }
+    if (std::ranges::find(chunks, "IDAT", &Chunk::type) == chunks.end()) {
+        fail(name, "found no IDAT chunk, expected at least one");
+    }
+    return chunks;
+}
+
+void append_chunk(std::vector<std::uint8_t>& file, std::string_view type,
+                  std::span<const std::uint8_t> data) {
+    assert(type.size() == 4 && data.size() < 0x80000000U);
+    append_number(file, static_cast<std::uint32_t>(data.size()));
+    const std::size_t begin = file.size();
+    file.insert(file.end(), type.begin(), type.end());
+    file.insert(file.end(), data.begin(), data.end());
+    append_number(file, checksum(std::span(file).subspan(begin)));
+}
+
+void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
+}
+
+std::uint32_t number_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i) number = number << 8 | bytes[offset + i];
+    return number;
+}
+
+}  // namespace ropesim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace ropesim {
+
+// The eight bytes every PNG begins with.
+inline constexpr std::array<std::uint8_t, 8> png_signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+// A piece of a PNG (Portable Network Graphics, 2nd edition, 2003, section 5): both members look into the
+// bytes of the file.
+struct Chunk {
+    std::string_view type;  // four letters
+    std::span<const std::uint8_t> data;
+};
+
+// The chunks of a whole file: the signature, IHDR first, at least one IDAT, IEND last and nothing after
+// it, every checksum right. Throws std::runtime_error, "<name>: what was found, expected what", where
+// something is not so.
+std::vector<Chunk> png_chunks(std::span<const std::uint8_t> bytes, std::string_view name);
+
+// Appends a chunk: length, type, data, checksum.
+void append_chunk(std::vector<std::uint8_t>& file, std::string_view type, std::span<const std::uint8_t> data);
+
+// Four bytes, most significant first, as PNG keeps its numbers.
+void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number);
+std::uint32_t number_at(std::span<const std::uint8_t> bytes, std::size_t offset);
+
+}  // namespace ropesim

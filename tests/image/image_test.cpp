@@ -1,0 +1,24 @@
+#include "image/image.h"
+
+#include <gtest/gtest.h>
+
+namespace ropesim {
+namespace {
+
+TEST(Image, FilledIsOneColorEverywhere) {
+    const Image image = filled(3, 2, {1, 2, 3});
+    ASSERT_EQ(image.rgb.size(), 18U);
+    for (int y = 0; y < 2; ++y) {
+        for (int x = 0; x < 3; ++x) EXPECT_EQ(pixel(image, x, y), (Color{1, 2, 3}));
+    }
+}
+
+TEST(Image, RowsGoFromTopToBottomWithoutPadding) {
+    Image image = filled(3, 2, {0, 0, 0});
+    set_pixel(image, 2, 1, {7, 8, 9});
+    EXPECT_EQ(image.rgb, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 8, 9}));
+    EXPECT_EQ(pixel(image, 2, 1), (Color{7, 8, 9}));
+}
+
+}  // namespace
+}  // namespace ropesim

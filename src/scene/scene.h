@@ -22,7 +22,7 @@ struct SceneRope {
     Eigen::Array2d end = {0.0, 0.0};
     int nodes = 16;              // masses, evenly spaced along start, via, end
     double mass = 1.0;           // of each node ...
-    std::vector<double> masses;  // ... unless given one by one
+    std::vector<double> masses;  // ... unless given one by one, with `mass` as it is here
     double stiffness = 100.0;
     std::optional<double> rest_length;  // of each link; without it, the spacing at the start
     std::vector<int> pinned = {0};      // -1 is the last node, -2 the one before
@@ -54,13 +54,16 @@ struct Scene {
     std::vector<SceneRope> ropes;
 };
 
+bool operator==(const SceneRope& a, const SceneRope& b);
+bool operator==(const Scene& a, const Scene& b);
+
 // Reads and checks a scene. `name` stands for the file in messages. Throws std::runtime_error,
 // "name:line:column: what was found, what was expected".
 Scene parse_scene(std::string_view toml, std::string_view name);
 
 // Checks what several keys decide together, and what options may have changed after parsing: pins that
-// exist, one mass per node, start and end apart, unique names, ranges. Throws std::runtime_error that
-// names the rope and key. parse_scene has called it (with positions in its messages).
+// exist, one mass per node, neighbours apart, unique names, ranges. Throws std::runtime_error that names the
+// rope and key. parse_scene has checked the same (with positions in its messages).
 void check_scene(const Scene& scene);
 
 // The scene as TOML, every key written out, numbers so that they read back as the same doubles.
@@ -70,11 +73,15 @@ std::string to_toml(const Scene& scene);
 // The rope that a method advances.
 Rope make_rope(const Scene& scene, const SceneRope& rope);
 
-// A scene that is compiled in: name, its file's text.
+// A scene that is compiled in: its name, one line about it, its file's text.
 struct BuiltinScene {
     std::string_view name;
+    std::string_view summary;
     std::string_view toml;
 };
-std::vector<BuiltinScene> builtin_scenes();  // sorted by name, "seed" first
+std::vector<BuiltinScene> builtin_scenes();  // "seed" first
+
+// "toml++ 3.3.0", the library that reads TOML.
+std::string toml_library();
 
 }  // namespace ropesim

@@ -1,0 +1,63 @@
+#include "study/timing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ropesim {
+namespace {
+
+constexpr int rounds = 7;
+constexpr int rounds_of_slow = 3;
+constexpr double slow = 0.1;       // seconds
+constexpr double shortest = 4e-3;  // seconds of a turn: a clock tick and a call are far below a thousandth
+
+bool takes_turn(int round, double estimate) {
+    return estimate < slow || round % (rounds / rounds_of_slow) == 0;
+}
+
+double seconds_of(const std::function<void()>& task, double estimate) {
+    const auto repetitions = std::max(1L, std::lround(shortest / std::max(estimate, 1e-9)));
+    const auto start = std::chrono::steady_clock::now();
+    for (long i = 0; i < repetitions; ++i) task();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    return taken.count() / static_cast<double>(repetitions);
+}
+
+}  // namespace
+
+Times quartiles(std::vector<double> seconds) {
+    if (seconds.empty()) return {};
+    std::sort(seconds.begin(), seconds.end());
+    const auto at = [&](double share) {
+        const double place = share * static_cast<double>(seconds.size() - 1);
+        const auto below = static_cast<std::size_t>(place);
+        const auto above = std::min(below + 1, seconds.size() - 1);
+        return std::lerp(seconds[below], seconds[above], place - static_cast<double>(below));
+    };
+    return {at(0.25), at(0.5), at(0.75), static_cast<int>(seconds.size())};
+}
+
+long turns(const std::vector<double>& estimates) {
+    long count = 0;
+    for (const double estimate : estimates)
+        for (int round = 0; round < rounds; ++round) count += takes_turn(round, estimate) ? 1 : 0;
+    return count;
+}
+
+std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks,
+                            const std::vector<double>& estimates, const std::function<void()>& turn_done) {
+    std::vector<std::vector<double>> seconds(tasks.size());
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t task = 0; task < tasks.size(); ++task) {
+            if (!takes_turn(round, estimates[task])) continue;
+            seconds[task].push_back(seconds_of(tasks[task], estimates[task]));
+            turn_done();
+        }
+    }
+    std::vector<Times> times;
+    for (const std::vector<double>& each : seconds) times.push_back(quartiles(each));
+    return times;
+}
+
+}  // namespace ropesim

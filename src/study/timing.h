@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace ropesim {
+
+// Of repeated measurements, seconds.
+struct Times {
+    double lower = 0.0;  // quartile
+    double median = 0.0;
+    double upper = 0.0;  // quartile
+    int repetitions = 0;
+};
+
+// The quartiles of measurements, by linear interpolation between them.
+Times quartiles(std::vector<double> seconds);
+
+// How long each task takes. All take turns, so that whatever slows the machine for a while slows all alike.
+// In a turn a task is repeated for as long as the clock needs; a slow one has fewer turns. `turn_done` is
+// called after each turn of each task; turns(estimates) is how many there are.
+// `estimates` are how long the tasks take, roughly, seconds.
+std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks,
+                            const std::vector<double>& estimates, const std::function<void()>& turn_done);
+long turns(const std::vector<double>& estimates);
+
+}  // namespace ropesim

@@ -1,0 +1,118 @@
+#include "clip/manifest.h"
+
+#include "clip/frames.h"
+#include "simulation/diagnostics.h"
+
+#include <nlohmann/json.hpp>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+namespace ropesim {
+namespace {
+
+constexpr const char* scene_key = "ropesim:scene";
+constexpr const char* digest_key = "ropesim:digest";
+constexpr const char* frame_key = "ropesim:frame";
+constexpr const char* methods_key = "ropesim:methods";
+constexpr const char* positions_key = "ropesim:positions";
+
+std::string methods_text(const Scene& scene) {
+    std::string text;
+    for (const SceneRope& rope : scene.ropes)
+        text += (text.empty() ? "" : "\n") + rope.name + ": " + rope.method;
+    return text;
+}
+
+nlohmann::ordered_json rope_json(const Scene& scene, const Run& run, const Trajectory* trajectory) {
+    nlohmann::ordered_json rope;
+    rope["name"] = run.description->name;
+    rope["method"] = run.method->name;
+    rope["model"] = name(run.method->model);
+    rope["steps_per_frame"] = run.stepping.steps;
+    const auto fewest =
+        fewest_stable_steps(run.rope, *run.method, scene.frame_time, run.stepping.damping_factor);
+    if (fewest) rope["fewest_stable_steps"] = *fewest;
+    rope["greatest_frequency"] = greatest_frequency(run.rope);
+    if (!trajectory) return rope;
+    rope["largest_stretch"] = trajectory->largest_stretch();
+    rope["largest_tension"] = trajectory->largest_tension();
+    rope["energy_drift"] = trajectory->energy_drift();
+    if (trajectory->diverged) {
+        rope["diverged_in_frame"] = *trajectory->diverged;
+        rope["divergence"] = divergence(scene, run, *trajectory);
+    }
+    return rope;
+}
+
+std::string text_of(const Texts& texts, const char* key) {
+    const auto text = texts.find(key);
+    return text == texts.end() ? "" : text->second;
+}
+
+}  // namespace
+
+Texts frame_texts(const Scene& scene, const std::string& positions_digest) {
+    const std::string toml = to_toml(scene);
+    Texts texts{{"Software", version()},
+                {scene_key, toml},
+                {digest_key, digest(toml)},
+                {methods_key, methods_text(scene)}};
+    if (!positions_digest.empty()) texts[positions_key] = positions_digest;
+    return texts;
+}
+
+void set_frame(Texts& texts, long frame) {
+    texts[frame_key] = std::to_string(frame);
+}
+
+Scene scene_of(const Texts& texts, const std::string& name) {
+    const auto scene = texts.find(scene_key);
+    if (scene == texts.end())
+        throw std::runtime_error(name +
+                                 ": a picture without a scene in it; expected a frame made by ropesim");
+    return parse_scene(scene->second, name);
+}
+
+std::string scene_digest_of(const Texts& texts) {
+    return text_of(texts, digest_key);
+}
+
+std::string frame_of(const Texts& texts) {
+    return text_of(texts, frame_key);
+}
+
+std::string positions_digest_of(const Texts& texts) {
+    return text_of(texts, positions_key);
+}
+
+std::string clip_json(const Scene& scene, const std::vector<Run>& runs,
+                      const std::vector<Trajectory>& trajectories, const std::string& positions_digest,
+                      const std::vector<long>& frames, const std::string& renderer) {
+    const std::string toml = to_toml(scene);
+    nlohmann::ordered_json json;
+    json["version"] = version();
+    json["renderer"] = renderer;
+    json["frames"] = to_string(frames);
+    json["digest"] = digest(toml);
+    if (!positions_digest.empty()) json["positions"] = positions_digest;
+    json["ropes"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        json["ropes"].push_back(rope_json(scene, runs[i], trajectories.empty() ? nullptr : &trajectories[i]));
+    json["scene"] = toml;
+    return json.dump(2) + "\n";
+}
+
+std::string digest(std::string_view bytes) {
+    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+    std::array<char, 33> digits;
+    std::snprintf(digits.data(), digits.size(), "%016llx%016llx",
+                  static_cast<unsigned long long>(hash.high64), static_cast<unsigned long long>(hash.low64));
+    return digits.data();
+}
+
+}  // namespace ropesim

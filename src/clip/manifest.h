@@ -1,0 +1,38 @@
+#pragma once
+
+#include "clip/run.h"
+#include "image/png.h"
+
+#include <string>
+#include <vector>
+
+namespace ropesim {
+
+// The text chunks that say what made a frame: scene, its digest, frame, methods, version, and the digest
+// of the positions file if there was one. Two frames with equal texts are the same picture.
+Texts frame_texts(const Scene& scene, const std::string& positions_digest);  // of all frames of a clip
+void set_frame(Texts& texts, long frame);
+
+// The scene in a frame's texts. Throws std::runtime_error, "<name>: why", where there is none.
+Scene scene_of(const Texts& texts, const std::string& name);
+
+// The digest of the scene, and the number, that a frame's texts give; "" where they give none.
+std::string scene_digest_of(const Texts& texts);
+std::string frame_of(const Texts& texts);
+
+// The digest of the positions file that the frame was drawn from; "" where the scene was simulated.
+std::string positions_digest_of(const Texts& texts);
+
+// clip.json: the scene as rendered, versions, the renderer, and per rope the method, its steps, where it
+// diverged and why, its largest stretch and energy drift; `trajectories` is empty where positions were given.
+std::string clip_json(const Scene& scene, const std::vector<Run>& runs,
+                      const std::vector<Trajectory>& trajectories, const std::string& positions_digest,
+                      const std::vector<long>& frames, const std::string& renderer);
+
+// 128 bits of the bytes as 32 hexadecimal digits (XXH3).
+std::string digest(std::string_view bytes);
+
+// "ropesim 0.1.0"
+std::string version();
+
+}  // namespace ropesim

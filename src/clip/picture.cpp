@@ -1,0 +1,48 @@
+#include "clip/picture.h"
+
+#include <string>
+
+namespace ropesim {
+namespace {
+
+// More names than this would be a column of text and not a legend.
+constexpr std::size_t most_names = 12;
+
+// Black or white, whichever stands out (luma of ITU-R BT.601).
+Color readable_on(const Color& background) {
+    const int luma = 299 * background[0] + 587 * background[1] + 114 * background[2];
+    return luma < 128 * 1000 ? Color{255, 255, 255} : Color{0, 0, 0};
+}
+
+std::vector<Words> words(const Scene& scene) {
+    std::vector<Words> lines;
+    if (!scene.words) return lines;
+    const Color plain = readable_on(scene.background);
+    if (!scene.title.empty()) lines.push_back({scene.title, plain});
+    lines.push_back({"Steps per frame: " + std::to_string(scene.steps_per_frame), plain});
+    for (std::size_t i = 0; i < scene.ropes.size() && i < most_names; ++i)
+        lines.push_back({scene.ropes[i].name, scene.ropes[i].color});
+    if (scene.ropes.size() > most_names)
+        lines.push_back({"and " + std::to_string(scene.ropes.size() - most_names) + " more ropes", plain});
+    return lines;
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene) {
+    return std::make_unique<Renderer>(scene.size[0], scene.size[1],
+                                      Camera{scene.view.center, scene.view.height}, scene.background,
+                                      words(scene));
+}
+
+std::vector<Polyline> polylines(const Scene& scene, const std::vector<Points>& positions) {
+    std::vector<Polyline> lines;
+    for (std::size_t i = 0; i < scene.ropes.size(); ++i) {
+        const SceneRope& rope = scene.ropes[i];
+        if (positions[i].rows() > 0)
+            lines.push_back({positions[i], rope.color, rope.line_width, rope.point_size});
+    }
+    return lines;
+}
+
+}  // namespace ropesim

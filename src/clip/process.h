@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ropesim {
+
+// Whether a program of that name is on the PATH.
+bool is_installed(const std::string& program);
+
+// Runs a program without a shell. `feed` writes to its standard input by calling what it is given (bytes);
+// its standard output is returned. Throws std::runtime_error where it cannot be started or fails; it has
+// said why on stderr.
+std::string run_program(const std::vector<std::string>& command,
+                        const std::function<void(const std::function<void(std::string_view)>& write)>& feed);
+
+}  // namespace ropesim

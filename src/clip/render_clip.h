@@ -1,0 +1,46 @@
+#pragma once
+
+#include "clip/frames.h"
+#include "clip/run.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ropesim {
+
+// What to do where the folder holds frames already.
+enum class Existing {
+    refuse,     // throw
+    resume,     // keep those that this very scene, version and frame made; make the others anew
+    overwrite,  // make all anew
+};
+
+struct ClipOptions {
+    std::filesystem::path folder = "frames";
+    std::vector<long> frames;  // which of the scene's; sorted, each once
+    Shard shard;               // of those, the ones whose number falls to this shard
+    int jobs = 1;              // processes
+    Existing existing = Existing::refuse;
+    bool show_progress = false;
+    std::string positions_digest;  // of the file that the positions came from, if any
+};
+
+struct ClipResult {
+    long written = 0;
+    long kept = 0;                   // found there by --resume
+    std::vector<std::string> notes;  // what a user should know, such as frames of a longer clip left over
+};
+
+// Makes the folder where needed, and checks that it may be written to. Throws std::runtime_error where its
+// parent is missing, it is no folder, or it holds frames and `existing` says refuse.
+void prepare_folder(const ClipOptions& options);
+
+// Renders the frames into the folder, then writes clip.json. Throws std::runtime_error (the disk is full, no
+// OpenGL context, ...) and Interrupted; what is there then is whole, and `resume` goes on from it.
+ClipResult render_clip(const Scene& scene, const std::vector<Run>& runs,
+                       const std::vector<Trajectory>& trajectories, const Positions& positions,
+                       const ClipOptions& options);
+
+}  // namespace ropesim

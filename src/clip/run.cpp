@@ -1,0 +1,105 @@
+#include "clip/run.h"
+
+#include "clip/csv.h"
+#include "simulation/diagnostics.h"
+
+#include <array>
+#include <cstdio>
+
+namespace ropesim {
+namespace {
+
+std::string title(const Run& run) {
+    return "rope '" + run.description->name + "' (" + std::string(run.method->name) + ")";
+}
+
+// What would be stable: "10 or more are stable".
+std::string remedy(const Scene& scene, const Run& run) {
+    const auto fewest =
+        fewest_stable_steps(run.rope, *run.method, scene.frame_time, run.stepping.damping_factor);
+    if (fewest) return std::to_string(*fewest) + " or more are stable";
+    const bool damped = run.rope.damping > 0.0 || run.stepping.damping_factor > 0.0;
+    return damped ? "not even " + std::to_string(most_steps) + " are stable"
+                  : "without damping no step is stable";
+}
+
+// How far the steps are from what is stable, where one number tells: " (h*omega = 2.5, limit 2)".
+std::string excess(const Run& run) {
+    if (run.method->stability_limit == 0.0) return "";
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), " (h*omega = %.3g, limit %.4g)",
+                  run.stepping.step_size * greatest_frequency(run.rope), run.method->stability_limit);
+    return text.data();
+}
+
+}  // namespace
+
+std::vector<Run> runs(const Scene& scene) {
+    std::vector<Run> result;
+    for (const SceneRope& rope : scene.ropes) {
+        Stepping each = stepping(scene.frame_time, scene.steps_per_frame);
+        each.damping_factor = rope.damping_factor;
+        each.sweeps = rope.sweeps;
+        result.push_back({&rope, &find_method(rope.method), make_rope(scene, rope), each});
+    }
+    return result;
+}
+
+std::vector<Trajectory> simulate(const Scene& scene, const std::vector<Run>& runs) {
+    std::vector<Trajectory> trajectories;
+    for (const Run& run : runs)
+        trajectories.push_back(simulate(run.rope, *run.method, run.stepping, scene.frames));
+    return trajectories;
+}
+
+std::vector<std::string> stability_warnings(const Scene& scene, const std::vector<Run>& runs) {
+    std::vector<std::string> warnings;
+    for (const Run& run : runs)
+        if (!stable(run.rope, *run.method, run.stepping))
+            warnings.push_back(title(run) + " is unstable at " + std::to_string(run.stepping.steps) +
+                               " steps per frame" + excess(run) + ": " + remedy(scene, run));
+    return warnings;
+}
+
+std::string divergence(const Scene& scene, const Run& run, const Trajectory& trajectory) {
+    if (!trajectory.diverged) return "";
+    return title(run) + " diverged in frame " + std::to_string(*trajectory.diverged) + ": at " +
+           std::to_string(run.stepping.steps) + " steps per frame it is " +
+           (stable(run.rope, *run.method, run.stepping)
+                ? "stable to linear theory, but the motion is too violent for it"
+                : "unstable" + excess(run) + "; " + remedy(scene, run));
+}
+
+Positions positions(const std::vector<Trajectory>& trajectories, const std::vector<long>& frames) {
+    Positions positions;
+    for (const long frame : frames) {
+        std::vector<Points>& ropes = positions[frame];
+        for (const Trajectory& trajectory : trajectories) {
+            const auto index = static_cast<std::size_t>(frame);
+            ropes.push_back(index < trajectory.frames.size() ? trajectory.frames[index] : Points(0, 2));
+        }
+    }
+    return positions;
+}
+
+std::string diagnostics_csv(const Scene& scene, const std::vector<Trajectory>& trajectories,
+                            const std::vector<long>& frames) {
+    std::string text = "frame,rope,kinetic,spring,gravity,largest_stretch,largest_tension,length\n";
+    for (const long frame : frames) {
+        for (std::size_t rope = 0; rope < trajectories.size(); ++rope) {
+            const auto index = static_cast<std::size_t>(frame);
+            if (index >= trajectories[rope].diagnostics.size()) continue;
+            const Diagnostics& each = trajectories[rope].diagnostics[index];
+            text += std::to_string(frame) + ',' + quoted(scene.ropes[rope].name);
+            for (const double number : {each.energy.kinetic, each.energy.spring, each.energy.gravity,
+                                        each.largest_stretch, each.largest_tension, each.length}) {
+                text += ',';
+                append_number(text, number);
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+}  // namespace ropesim

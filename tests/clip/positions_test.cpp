@@ -1,0 +1,157 @@
+#include "clip/positions.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace ropesim {
+namespace {
+
+using testing::HasSubstr;
+
+Scene scene_of(const std::vector<std::pair<std::string, int>>& ropes) {
+    Scene scene;
+    scene.frames = 10;
+    for (const auto& [name, nodes] : ropes) {
+        SceneRope rope;
+        rope.name = name;
+        rope.nodes = nodes;
+        rope.end = {1.0, 0.0};
+        scene.ropes.push_back(rope);
+    }
+    return scene;
+}
+
+// Any doubles at all that are finite: random bits.
+Points random_points(int masses, std::mt19937_64& random) {
+    Points points(masses, 2);
+    for (double& number : points.reshaped()) do {
+            const std::uint64_t bits = random();
+            std::memcpy(&number, &bits, sizeof number);
+        } while (!std::isfinite(number));
+    return points;
+}
+
+Positions random_positions(const Scene& scene, long frames) {
+    std::mt19937_64 random(7);
+    Positions positions;
+    for (long frame = 0; frame < frames; ++frame)
+        for (const SceneRope& rope : scene.ropes)
+            positions[frame].push_back(random_points(rope.nodes, random));
+    return positions;
+}
+
+void expect_same_bits(const Positions& expected, const Positions& actual) {
+    ASSERT_EQ(expected.size(), actual.size());
+    for (const auto& [frame, ropes] : expected) {
+        const std::vector<Points>& others = actual.at(frame);
+        ASSERT_EQ(ropes.size(), others.size());
+        for (std::size_t i = 0; i < ropes.size(); ++i) {
+            ASSERT_EQ(ropes[i].rows(), others[i].rows());
+            EXPECT_EQ(std::memcmp(ropes[i].data(), others[i].data(),
+                                  sizeof(double) * static_cast<std::size_t>(ropes[i].size())),
+                      0);
+        }
+    }
+}
+
+std::string refusal(const Scene& scene, const std::string& text) {
+    try {
+        parse_positions(scene, text, "swing.csv");
+        return "";
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
+TEST(PositionsCsv, ReadsBackAsTheSameBits) {
+    const Scene scene = scene_of({{"Euler", 3}, {"a \"quoted\", name", 5}});
+    const Positions positions = random_positions(scene, 10);
+    expect_same_bits(positions, parse_positions(scene, to_csv(scene, positions), "csv"));
+}
+
+TEST(PositionsCsv, IsLinesOfFrameRopeNodeXY) {
+    const Scene scene = scene_of({{"a,b", 2}});
+    Points points(2, 2);
+    points << 0.1, -2.0, 1e300, 0.0;
+    EXPECT_EQ(
+        to_csv(scene, {{3, {points}}}),
+        "frame,rope,node,x,y\n3,\"a,b\",0,0.10000000000000001,-2\n3,\"a,b\",1,1.0000000000000001e+300,0\n");
+}
+
+TEST(PositionsCsv, LeavesOutARopeThatDiverged) {
+    const Scene scene = scene_of({{"a", 2}, {"b", 2}});
+    Positions positions = random_positions(scene, 2);
+    positions[1][0] = Points(0, 2);
+    const Positions again = parse_positions(scene, to_csv(scene, positions), "csv");
+    expect_same_bits(positions, again);
+}
+
+TEST(PositionsCsv, ReadsLinesThatEndAsOnWindows) {
+    const Scene scene = scene_of({{"a", 2}});
+    const Positions positions =
+        parse_positions(scene, "frame,rope,node,x,y\r\n0,a,0,1,2\r\n0,a,1,3,4\r\n", "csv");
+    EXPECT_EQ(positions.at(0)[0](1, 1), 4.0);
+}
+
+TEST(PositionsCsv, RefusesWithFileAndLine) {
+    const Scene scene = scene_of({{"a", 2}});
+    const std::string begin = "frame,rope,node,x,y\n0,a,0,1,2\n";
+    EXPECT_THAT(refusal(scene, "frame,x,y\n"),
+                HasSubstr("swing.csv:1: expected the line frame,rope,node,x,y"));
+    EXPECT_THAT(refusal(scene, begin), HasSubstr("swing.csv:3: the file ends within a rope"));
+    EXPECT_THAT(refusal(scene, begin + "0,a,1,1,x\n"),
+                HasSubstr("swing.csv:3: found 'x', expected a number"));
+    EXPECT_THAT(refusal(scene, begin + "0,a,1,1,nan\n"),
+                HasSubstr("swing.csv:3: a coordinate is not finite"));
+    EXPECT_THAT(refusal(scene, begin + "0,a,2,1,2\n"), HasSubstr("expected frame 0, rope 'a', node 1"));
+    EXPECT_THAT(refusal(scene, begin + "0,a,1,1\n"), HasSubstr("swing.csv:3: expected frame,rope,node,x,y"));
+    EXPECT_THAT(refusal(scene, "frame,rope,node,x,y\n0,b,0,1,2\n"), HasSubstr("the scene has no rope 'b'"));
+    EXPECT_THAT(refusal(scene, "frame,rope,node,x,y\n10,a,0,1,2\n"), HasSubstr("0 to 9"));
+    EXPECT_THAT(refusal(scene, begin + "0,a,1,1,2\n0,a,0,1,2\n0,a,1,1,2\n"), HasSubstr("stands twice"));
+}
+
+TEST(PositionsNpy, ReadsBackAsTheSameBits) {
+    const Scene scene = scene_of({{"a", 3}, {"b", 1000}});
+    const Positions positions = random_positions(scene, 7);
+    expect_same_bits(positions, parse_positions(scene, to_npy(scene, positions), "npy"));
+}
+
+TEST(PositionsNpy, BeginsAsNumPyWritesIt) {
+    const Scene scene = scene_of({{"a", 2}});
+    const std::string bytes = to_npy(scene, random_positions(scene, 3));
+    EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+    EXPECT_THAT(bytes, HasSubstr("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2, 2), }"));
+    EXPECT_EQ(bytes.find('\n') % 64, 63u) << "the numbers begin at a multiple of 64";
+    EXPECT_EQ(bytes.size(), bytes.find('\n') + 1 + 3 * 2 * 2 * 8);
+}
+
+TEST(PositionsNpy, EndsWhereItsRopeDiverged) {
+    const Scene scene = scene_of({{"a", 2}, {"b", 2}});
+    Positions positions = random_positions(scene, 4);
+    positions[3][1] = Points(0, 2);
+    expect_same_bits(positions, parse_positions(scene, to_npy(scene, positions), "npy"));
+}
+
+TEST(PositionsNpy, RefusesEveryTruncation) {
+    const Scene scene = scene_of({{"a", 2}});
+    const std::string bytes = to_npy(scene, random_positions(scene, 2));
+    for (std::size_t size = 6; size < bytes.size(); ++size)
+        EXPECT_THROW(parse_positions(scene, bytes.substr(0, size), "npy"), std::runtime_error) << size;
+}
+
+TEST(PositionsNpy, RefusesOtherShapesAndTypes) {
+    const Scene scene = scene_of({{"a", 2}});
+    const std::string bytes = to_npy(scene, random_positions(scene, 2));
+    EXPECT_THAT(refusal(scene_of({{"a", 3}}), bytes),
+                HasSubstr("found 2 x 2 x 2, expected at most 10 x 3 x 2"));
+    std::string other = bytes;
+    other.replace(other.find("<f8"), 3, "<f4");
+    EXPECT_THAT(refusal(scene, other), HasSubstr("float64"));
+    EXPECT_THAT(refusal(scene, bytes + bytes), HasSubstr("more arrays than the scene has ropes"));
+}
+
+}  // namespace
+}  // namespace ropesim

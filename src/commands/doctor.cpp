@@ -1,0 +1,69 @@
+#include "clip/manifest.h"
+#include "clip/picture.h"
+#include "clip/process.h"
+#include "commands/commands.h"
+#include "image/png.h"
+#include "render/lettering.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <string>
+#include <thread>
+
+namespace ropesim {
+namespace {
+
+void line(const char* what, const std::string& found) {
+    std::printf("%-16s %s\n", what, found.c_str());
+}
+
+std::string renderer() {
+    try {
+        return make_renderer(parse_scene(builtin_scenes().front().toml, "seed"))->description();
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
+std::string libraries() {
+    return "Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+           std::to_string(EIGEN_MINOR_VERSION) + ", " + toml_library() + ", CLI11 " CLI11_VERSION ", " +
+           png_library() + ", " + lettering_library();
+}
+
+// What the program is compiled for, and uses: the instructions that every such machine has, so that
+// positions are the same bits on all of them.
+std::string instruction_set() {
+#if defined(__x86_64__)
+    return "x86-64, baseline (SSE2)";
+#elif defined(__aarch64__)
+    return "AArch64, baseline";
+#else
+    return "baseline of this architecture";
+#endif
+}
+
+std::string presence(const char* program, const char* without) {
+    return is_installed(program) ? "installed" : std::string("not installed; ") + without;
+}
+
+int report() {
+    line("version", version());
+    line("libraries", libraries());
+    line("renderer", renderer());
+    line("processors", std::to_string(std::thread::hardware_concurrency()));
+    line("instructions", instruction_set());
+    line("ffmpeg", presence("ffmpeg", "--video needs it"));
+    line("gnuplot", presence("gnuplot", "charts need it"));
+    return 0;
+}
+
+}  // namespace
+
+Command doctor_command(CLI::App& app) {
+    app.footer("Example: ropesim doctor");
+    return [] { return report(); };
+}
+
+}  // namespace ropesim

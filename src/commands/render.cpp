@@ -1,0 +1,184 @@
+#include "clip/file.h"
+#include "clip/frames.h"
+#include "clip/interrupt.h"
+#include "clip/manifest.h"
+#include "clip/render_clip.h"
+#include "clip/video.h"
+#include "commands/commands.h"
+#include "commands/scene_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+namespace ropesim {
+namespace {
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::string folder = "frames";
+    std::string frames;
+    std::string size;
+    int jobs = 1;
+    std::string shard = "0/1";
+    bool resume = false;
+    bool overwrite = false;
+    std::string positions;
+    std::string video;
+    bool strict = false;
+    bool quiet = false;
+};
+
+void add_options(CLI::App& app, RenderOptions& options) {
+    add_scene_options(app, options.scene);
+    app.add_option("-o,--output", options.folder, "folder for the frames; made where it is missing")
+        ->type_name("DIR")
+        ->capture_default_str();
+    app.add_option("--frames", options.frames, "only these frames, such as 2,4,10:20,90: (ends included)")
+        ->type_name("LIST");
+    app.add_option("--size", options.size, "size of the picture in pixels, such as 1280x720")
+        ->type_name("WxH");
+    app.add_option("--jobs", options.jobs, "processes that share the frames")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
+    app.add_option("--shard", options.shard, "only frames whose number is I modulo N")->type_name("I/N");
+    CLI::Option* resume =
+        app.add_flag("--resume", options.resume, "keep the frames that this very scene and version made");
+    app.add_flag("--overwrite", options.overwrite, "make all frames anew")->excludes(resume);
+    app.add_option("--positions", options.positions,
+                   "draw these positions (.csv or .npy) instead of simulating")
+        ->type_name("FILE");
+    app.add_option("--video", options.video, "make a video of the frames, too (.mp4 or .gif, by ffmpeg)")
+        ->type_name("FILE");
+    app.add_flag("--strict", options.strict, "exit with status 1 where a rope diverges");
+    app.add_flag("--quiet", options.quiet, "say nothing but errors");
+    app.footer(
+        "Examples:\n"
+        "  ropesim render                              two ropes into frames/\n"
+        "  ropesim render -s 8 -o blown-up             the same with 8 steps per frame\n"
+        "  ropesim render my.toml --jobs 4 --video my.mp4\n"
+        "  ropesim render frames/frame_0042.png -o again");
+}
+
+Shard shard_of(const std::string& text) {
+    try {
+        return parse_shard(text);
+    } catch (const std::runtime_error& error) {
+        throw CLI::ValidationError("--shard", error.what());
+    }
+}
+
+void set_size(Scene& scene, const std::string& text) {
+    if (text.empty()) return;
+    int read = 0;
+    if (std::sscanf(text.c_str(), "%7dx%7d%n", &scene.size[0], &scene.size[1], &read) != 2 ||
+        static_cast<std::size_t>(read) != text.size())
+        throw CLI::ValidationError("--size", "'" + text + "' is no size; expected WxH, such as 1280x720");
+    check_scene(scene);
+}
+
+// What there is to draw.
+struct Motion {
+    std::vector<Run> runs;
+    std::vector<Trajectory> trajectories;  // empty where positions were given
+    Positions positions;
+};
+
+void warn(bool quiet, const std::string& sentence) {
+    if (!quiet) std::fprintf(stderr, "ropesim: %s\n", sentence.c_str());
+}
+
+Motion simulated(const Scene& scene, const std::vector<long>& frames, bool quiet) {
+    Motion motion;
+    motion.runs = runs(scene);
+    for (const std::string& warning : stability_warnings(scene, motion.runs))
+        warn(quiet, "warning: " + warning);
+    motion.trajectories = simulate(scene, motion.runs);
+    motion.positions = positions(motion.trajectories, frames);
+    return motion;
+}
+
+// Reads the file; takes every frame that it holds where none are asked for.
+Motion read_motion(const Scene& scene, const RenderOptions& options, ClipOptions& clip) {
+    const std::vector<std::uint8_t> bytes = read_file(options.positions);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    Motion motion{runs(scene), {}, parse_positions(scene, text, options.positions)};
+    clip.positions_digest = digest(text);
+    if (options.frames.empty()) {
+        clip.frames.clear();
+        for (const auto& [frame, ropes] : motion.positions) clip.frames.push_back(frame);
+    }
+    for (const long frame : clip.frames)
+        if (!motion.positions.contains(frame))
+            throw std::runtime_error(options.positions + ": holds no frame " + std::to_string(frame));
+    return motion;
+}
+
+bool report_divergence(const Scene& scene, const Motion& motion, bool quiet) {
+    bool diverged = false;
+    for (std::size_t i = 0; i < motion.trajectories.size(); ++i) {
+        if (!motion.trajectories[i].diverged) continue;
+        warn(quiet, divergence(scene, motion.runs[i], motion.trajectories[i]));
+        diverged = true;
+    }
+    return diverged;
+}
+
+void report_done(const ClipResult& result, const std::string& folder, double seconds, bool quiet) {
+    for (const std::string& note : result.notes) warn(quiet, note);
+    if (quiet) return;
+    std::printf("%ld frame%s in %s%s, %.2f s", result.written, result.written == 1 ? "" : "s", folder.c_str(),
+                folder.ends_with('/') ? "" : "/", seconds);
+    if (result.written > 0)
+        std::printf(" (%.0f frames per second)", static_cast<double>(result.written) / seconds);
+    if (result.kept > 0) std::printf("; %ld were there already", result.kept);
+    std::printf("\n");
+}
+
+int render(const RenderOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    FoundScene found = open_scene(options.scene);
+    Scene& scene = found.scene;
+    set_size(scene, options.size);
+    if (!found.positions_digest.empty() && options.positions.empty())
+        throw std::runtime_error(options.scene.scene +
+                                 ": was drawn from a positions file; give that file by --positions");
+    ClipOptions clip;
+    clip.folder = options.folder;
+    clip.frames = selected_frames(options.frames, scene);
+    clip.shard = shard_of(options.shard);
+    clip.jobs = options.jobs;
+    clip.existing = options.resume      ? Existing::resume
+                    : options.overwrite ? Existing::overwrite
+                                        : Existing::refuse;
+    clip.show_progress = !options.quiet;
+    if (!options.video.empty() && clip.shard.count > 1)
+        throw CLI::ValidationError("--video",
+                                   "a shard has only some of the frames; --resume --video makes it of all");
+    const bool simulating = options.positions.empty();
+    Motion motion;
+    if (!simulating) motion = read_motion(scene, options, clip);
+    if (!options.video.empty()) check_video(options.video, clip.frames);
+    prepare_folder(clip);
+    if (simulating) motion = simulated(scene, clip.frames, options.quiet);
+    const ClipResult result = render_clip(scene, motion.runs, motion.trajectories, motion.positions, clip);
+    if (!options.video.empty()) write_video(options.video, clip.folder, clip.frames, scene.frames);
+    const bool diverged = report_divergence(scene, motion, options.quiet && !options.strict);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report_done(result, options.folder, seconds, options.quiet);
+    return diverged && options.strict ? 1 : 0;
+}
+
+}  // namespace
+
+Command render_command(CLI::App& app) {
+    const auto options = std::make_shared<RenderOptions>();
+    add_options(app, *options);
+    return [options] { return render(*options); };
+}
+
+}  // namespace ropesim

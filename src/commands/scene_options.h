@@ -1,0 +1,33 @@
+#pragma once
+
+#include "clip/find_scene.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ropesim {
+
+// SCENE and the options that override it, as on the command line of everything that takes a scene.
+struct SceneOptions {
+    std::string scene = "seed";
+    std::optional<int> steps_per_frame;
+    std::optional<double> mass;
+    std::optional<std::array<double, 2>> gravity;
+    std::optional<int> nodes;
+};
+
+void add_scene_options(CLI::App& app, SceneOptions& options);
+
+// The scene with the options in place, checked. Throws std::runtime_error.
+FoundScene open_scene(const SceneOptions& options);
+
+// The frames that `--frames` asks for. Throws CLI::ValidationError.
+std::vector<long> selected_frames(const std::string& text, const Scene& scene);
+
+}  // namespace ropesim

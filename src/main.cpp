@@ -1,0 +1,111 @@
+#include "clip/interrupt.h"
+#include "clip/manifest.h"
+#include "commands/commands.h"
+#include "scene/words.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+using ropesim::Command;
+
+struct Row {
+    const char* name;
+    const char* summary;
+    Command (*make)(CLI::App&);
+};
+
+constexpr std::array<Row, 6> rows{{
+    {"render", "a scene in, numbered PNG frames out; the default", ropesim::render_command},
+    {"simulate", "a scene in, positions of its masses out", ropesim::simulate_command},
+    {"diff", "compare pictures or folders of frames; status 3 where they differ", ropesim::diff_command},
+    {"methods", "list the methods that move a rope", ropesim::methods_command},
+    {"scenes", "list the built-in scenes, or print one", ropesim::scenes_command},
+    {"doctor", "say what this program and this machine have", ropesim::doctor_command},
+}};
+
+constexpr int wrong_usage = 2;
+
+int complain(const std::string& message) {
+    std::fprintf(stderr, "ropesim: %s\n", message.c_str());
+    return 1;
+}
+
+bool is_global_option(const std::string& argument) {
+    return argument == "-h" || argument == "--help" || argument == "--version";
+}
+
+std::string unknown_command(const std::string& command) {
+    std::vector<std::string_view> known;
+    for (const Row& row : rows) known.push_back(row.name);
+    const std::string nearest = ropesim::suggestion(command, known);
+    return "no command '" + ropesim::printable(command) + "'; " +
+           (nearest.empty() ? "to render a scene: ropesim render " + ropesim::printable(command)
+                            : "did you mean '" + nearest + "'?");
+}
+
+// CLI11 takes the arguments from the back.
+std::vector<std::string> reversed_arguments(int count, char** values) {
+    std::vector<std::string> arguments(values + 1, values + count);
+    if (arguments.empty() || (arguments[0].starts_with('-') && !is_global_option(arguments[0])))
+        arguments.insert(arguments.begin(), "render");
+    return {arguments.rbegin(), arguments.rend()};
+}
+
+void set_up(CLI::App& app) {
+    app.name("ropesim");
+    app.set_version_flag("--version", ropesim::version());
+    app.set_help_flag("-h,--help", "say how it is used");
+    app.require_subcommand(1);
+    app.footer(
+        "Without a command: as 'ropesim render'. Each command has a --help of its own.\n"
+        "Example: ropesim render bridge -o bridge --jobs 2");
+}
+
+int run(int count, char** values) {
+    CLI::App app("Simulates mass-spring ropes and renders them off screen into numbered PNG frames.");
+    set_up(app);
+    std::vector<Command> commands;
+    for (const Row& row : rows) {
+        CLI::App* command = app.add_subcommand(row.name, row.summary);
+        command->set_help_flag("-h,--help", "say how it is used");
+        commands.push_back(row.make(*command));
+    }
+    std::vector<std::string> arguments = reversed_arguments(count, values);
+    std::string see = "ropesim --help";
+    try {
+        const auto row = std::find_if(rows.begin(), rows.end(),
+                                      [&](const Row& each) { return arguments.back() == each.name; });
+        if (row != rows.end())
+            see = "ropesim " + std::string(row->name) + " --help";
+        else if (!is_global_option(arguments.back()))
+            throw CLI::ValidationError(unknown_command(arguments.back()));
+        app.parse(arguments);
+        return commands[static_cast<std::size_t>(row - rows.begin())]();
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
+    } catch (const CLI::ParseError& error) {
+        complain(std::string(error.what()) + " (see " + see + ")");
+        return wrong_usage;
+    }
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+    ropesim::end_at_signals();
+    try {
+        return run(count, values);
+    } catch (const ropesim::Interrupted& interrupted) {
+        complain("interrupted; the same command with --resume goes on from here");
+        return 128 + interrupted.signal;
+    } catch (const std::exception& error) {
+        return complain(error.what());
+    }
+}

@@ -1,0 +1,199 @@
+#include "clip/file.h"
+#include "clip/frames.h"
+#include "clip/manifest.h"
+#include "clip/temporary_folder.h"
+#include "commands/program.h"
+#include "image/png.h"
+#include "scene/scene.h"
+#include "simulation/method.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <thread>
+
+namespace ropesim {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class CommandLine : public testing::Test {
+  protected:
+    Outcome run(const std::vector<std::string>& arguments) { return ropesim(temporary.path(), arguments); }
+
+    std::map<std::string, std::vector<std::uint8_t>> contents(const std::string& folder) {
+        std::map<std::string, std::vector<std::uint8_t>> files;
+        for (const auto& entry : std::filesystem::directory_iterator(temporary.path() / folder))
+            files[entry.path().filename().string()] = read_file(entry.path());
+        return files;
+    }
+
+    bool exists(const std::string& name) { return std::filesystem::exists(temporary.path() / name); }
+
+    Image picture(const std::string& name) { return decode_png(read_file(temporary.path() / name), name); }
+
+    void write(const std::string& name, std::string_view text) { write_file(temporary.path() / name, text); }
+
+    // One line on stderr that says this, the exit status, and no folder of frames.
+    void expect_failure(const std::vector<std::string>& arguments, int status, const std::string& message) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, status) << outcome.err;
+        EXPECT_THAT(outcome.err, AllOf(StartsWith("ropesim: "), HasSubstr(message)));
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_FALSE(exists("frames"));
+    }
+
+    const TemporaryFolder temporary;
+};
+
+TEST_F(CommandLine, WithoutACommandRendersTheBuiltInScene) {
+    const Outcome outcome = run({"--size", "96x64", "--frames", "0:4"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, StartsWith("5 frames in frames/, "));
+    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_THAT(frames_in(temporary.path() / "frames"), ElementsAre(0, 1, 2, 3, 4));
+}
+
+TEST_F(CommandLine, EveryCommandHasHelpWithAnExample) {
+    EXPECT_THAT(run({"--help"}).out, HasSubstr("Example"));
+    for (const char* command : {"render", "simulate", "diff", "methods", "scenes", "doctor"}) {
+        const Outcome outcome = run({command, "--help"});
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_THAT(outcome.out, HasSubstr("Example")) << command;
+        EXPECT_THAT(outcome.out, HasSubstr(std::string("ropesim ") + command)) << command;
+    }
+    EXPECT_EQ(run({"--version"}).out, version() + "\n");
+}
+
+TEST_F(CommandLine, RefusesWrongUsageWithStatus2) {
+    expect_failure({"rendre"}, 2, "no command 'rendre'; did you mean 'render'?");
+    expect_failure({"--sise", "3x4"}, 2, "--sise");
+    expect_failure({"-s", "many"}, 2, "many");
+    expect_failure({"-g", "1"}, 2, "--gravity");
+    expect_failure({"--size", "12"}, 2, "--size: '12' is no size; expected WxH, such as 1280x720");
+    expect_failure({"--frames", "9:3"}, 2, "--frames: frames '9:3'");
+    expect_failure({"--frames", "120"}, 2, "past the end of the clip; it has frames 0 to 119");
+    expect_failure({"--shard", "3/3"}, 2, "--shard: shard '3/3'");
+    expect_failure({"--jobs", "0"}, 2, "--jobs");
+    expect_failure({"--resume", "--overwrite"}, 2, "--resume excludes --overwrite");
+    expect_failure({"--shard", "0/2", "--video", "a.mp4"}, 2, "--video");
+    expect_failure({"simulate", "-o", "a.txt"}, 2, "-o: 'a.txt' is neither .csv, .npy nor -");
+    expect_failure({"simulate", "--method", "a", "b", "c"}, 2, "--method: found 3, expected one or 2");
+}
+
+TEST_F(CommandLine, RefusesBadInputWithStatus1) {
+    write("a.toml", "[[rope]]\nstifness = 3\n");
+    write("a.png", "\x89PNG\r\n\x1a\nbroken");
+    expect_failure({"render", "a.toml"}, 1, "a.toml:2:1: unknown key 'stifness'");
+    expect_failure({"render", "a.png"}, 1, "a.png: ");
+    expect_failure({"render", "bridgee"}, 1,
+                   "bridgee: no such file, and no built-in scene; did you mean 'bridge'?");
+    expect_failure({"render", "."}, 1, ".: cannot read: Is a directory");
+    expect_failure({"scenes", "sed"}, 1, "no built-in scene 'sed'; did you mean 'seed'?");
+    expect_failure({"-s", "0"}, 1, "steps_per_frame");
+    expect_failure({"-m", "-1"}, 1, "mass");
+    expect_failure({"-g", "nan", "0"}, 1, "gravity");
+    expect_failure({"--nodes", "1"}, 1, "nodes");
+    expect_failure({"--size", "100000x4"}, 1, "size");
+    expect_failure({"--positions", "none.csv"}, 1, "none.csv: cannot open: No such file or directory");
+    expect_failure({"simulate", "--method", "simplectic_euler"}, 1, "simplectic_euler");
+    expect_failure({"-o", "missing/frames"}, 1,
+                   "missing/frames: cannot make the folder: No such file or directory");
+}
+
+TEST_F(CommandLine, SaysWhatDivergedAndThatTenStepsAreStable) {
+    const Outcome eight = run({"-s", "8", "--size", "96x64", "--frames", "119"});
+    EXPECT_EQ(eight.status, 0);
+    EXPECT_THAT(eight.err, HasSubstr("warning: rope 'Euler' (symplectic_euler) is unstable at 8 steps per "
+                                     "frame (h*omega = 2.49, limit 2): "
+                                     "10 or more are stable"));
+    EXPECT_THAT(eight.err, HasSubstr("rope 'Verlet' (seed_verlet) diverged in frame"));
+    const Outcome ten = run({"-s", "10", "--size", "96x64", "--frames", "119", "-o", "ten"});
+    EXPECT_EQ(ten.status, 0);
+    EXPECT_THAT(ten.err, IsEmpty());
+    EXPECT_EQ(run({"-s", "8", "--size", "96x64", "--frames", "119", "-o", "strict", "--strict"}).status, 1);
+}
+
+TEST_F(CommandLine, PositionsWrittenAndDrawnAreTheSamePictures) {
+    for (const char* file : {"p.csv", "p.npy"}) {
+        EXPECT_EQ(run({"simulate", "bridge", "-o", file}).status, 0);
+        const std::string folder = std::string("of-") + file;
+        EXPECT_EQ(run({"render", "bridge", "--positions", file, "--frames", "20,60", "-o", folder}).status,
+                  0);
+    }
+    EXPECT_EQ(run({"render", "bridge", "--frames", "20,60"}).status, 0);
+    for (const std::string frame : {"frame_0020.png", "frame_0060.png"}) {
+        const Image simulated = picture("frames/" + frame);
+        EXPECT_EQ(picture("of-p.csv/" + frame), simulated);
+        EXPECT_EQ(picture("of-p.npy/" + frame), simulated);
+    }
+    const Outcome again = run({"render", "of-p.csv/frame_0020.png", "-o", "again"});
+    EXPECT_EQ(again.status, 1);
+    EXPECT_THAT(again.err, HasSubstr("was drawn from a positions file; give that file by --positions"));
+}
+
+TEST_F(CommandLine, WritesCsvToStandardOutput) {
+    const Outcome outcome = run({"simulate", "seed-3-nodes", "-o", "-", "--frames", "0"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out, StartsWith("frame,rope,node,x,y\n0,Euler,0,0,200\n0,Euler,1,-200,200\n"));
+}
+
+TEST_F(CommandLine, PrintsBuiltInScenesThatItReads) {
+    const Outcome list = run({"scenes"});
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        EXPECT_THAT(list.out, HasSubstr(std::string(scene.name) + " "));
+        EXPECT_EQ(run({"scenes", std::string(scene.name)}).out, scene.toml);
+    }
+}
+
+TEST_F(CommandLine, ListsEveryMethod) {
+    const std::string list = run({"methods"}).out;
+    for (const Method& method : methods()) EXPECT_THAT(list, HasSubstr(std::string(method.name) + " "));
+}
+
+TEST_F(CommandLine, DoctorNamesTheRenderer) {
+    const Outcome outcome = run({"doctor"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("llvmpipe"));
+}
+
+TEST_F(CommandLine, GoesOnAfterItWasKilled) {
+    const std::vector<std::string> whole{"--size", "480x320", "-o", "undisturbed"};
+    ASSERT_EQ(run(whole).status, 0);
+    for (const std::string jobs : {"1", "2"}) {
+        const std::string folder = "killed-" + jobs;
+        const std::vector<std::string> arguments{"--size", "480x320", "-o",      folder,
+                                                 "--jobs", jobs,      "--resume"};
+        const pid_t process = start_ropesim(temporary.path(), arguments);
+        while (!exists(folder + "/frame_0008.png")) std::this_thread::yield();
+        ::kill(process, SIGKILL);
+        EXPECT_EQ(wait_for(process), 128 + SIGKILL);
+        EXPECT_EQ(run(arguments).status, 0);
+        EXPECT_EQ(contents(folder), contents("undisturbed"));
+    }
+}
+
+TEST_F(CommandLine, EndsCleanlyAtASignal) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const std::string folder = "ended-" + std::to_string(signal);
+        const pid_t process =
+            start_ropesim(temporary.path(), {"--size", "1280x720", "-o", folder, "--jobs", "2"});
+        while (!exists(folder + "/frame_0008.png")) std::this_thread::yield();
+        ::kill(process, signal);
+        const int status = wait_for(process);
+        EXPECT_EQ(status, 128 + signal);
+        EXPECT_FALSE(exists(folder + "/clip.json"));
+        for (const auto& [name, bytes] : contents(folder)) EXPECT_THAT(name, StartsWith("frame_"));
+    }
+}
+
+}  // namespace
+}  // namespace ropesim

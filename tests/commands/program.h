@@ -1,0 +1,26 @@
+#pragma once
+
+#include <sys/types.h>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ropesim {
+
+// What a run of the program left.
+struct Outcome {
+    int status;  // exit status; 128 + signal where one ended it
+    std::string out;
+    std::string err;
+};
+
+// Runs the program with these arguments in the folder.
+Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+// Starts it without waiting; its output goes to nobody.
+pid_t start_ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+// Waits for it; the status as in Outcome.
+int wait_for(pid_t process);
+
+}  // namespace ropesim

@@ -10,7 +10,8 @@ namespace ropesim {
 namespace {
 
 bool same_bits(const Points& a, const Points& b) {
-    return std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+    return a.size() == 0 ||
+           std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
 // The farthest mass of a rope in a frame.

@@ -43,7 +43,8 @@ struct Pipe {
     }
 };
 
-pid_t start(const std::vector<std::string>& command, int standard_input, int standard_output) {
+pid_t start(const std::vector<std::string>& command, const std::filesystem::path& folder, int standard_input,
+            int standard_output) {
     std::vector<char*> arguments;
     for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);
@@ -51,6 +52,7 @@ pid_t start(const std::vector<std::string>& command, int standard_input, int sta
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, standard_input, STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, standard_output, STDOUT_FILENO);
+    ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     pid_t process = 0;
     const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -89,11 +91,11 @@ bool is_installed(const std::string& program) {
     return false;
 }
 
-std::string run_program(const std::vector<std::string>& command,
+std::string run_program(const std::vector<std::string>& command, const std::filesystem::path& folder,
                         const std::function<void(const std::function<void(std::string_view)>&)>& feed) {
     Pipe input;
     Pipe output;
-    const pid_t process = start(command, input.read_end, output.write_end);
+    const pid_t process = start(command, folder, input.read_end, output.write_end);
     Pipe::close(input.read_end);
     Pipe::close(output.write_end);
     const auto old_action = std::signal(SIGPIPE, SIG_IGN);
@@ -106,6 +108,10 @@ std::string run_program(const std::vector<std::string>& command,
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error(command[0] + " failed");
     return text;
+}
+
+std::string run_program(const std::vector<std::string>& command, const std::filesystem::path& folder) {
+    return run_program(command, folder, [](const auto&) {});
 }
 
 }  // namespace ropesim

@@ -24,7 +24,7 @@ std::size_t counted_frames(const std::string& file) {
     const std::string text =
         run_program({"ffprobe", "-v", "error", "-select_streams", "v:0", "-count_packets", "-show_entries",
                      "stream=nb_read_packets", "-of", "csv=p=0", file},
-                    [](const auto&) {});
+                    ".");
     return text.empty() ? 0 : std::stoul(text);
 }
 
@@ -60,7 +60,7 @@ void write_video(const std::filesystem::path& video, const std::filesystem::path
     command.push_back(file);
     const Interrupts interrupts;
     try {
-        run_program(command, [&](const auto& write) {
+        run_program(command, ".", [&](const auto& write) {
             for (const long frame : frames) {
                 Interrupts::check();
                 const auto bytes = read_file(folder / frame_name(frame, frames_of_clip));

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int rounds = 7;
 constexpr int rounds_of_slow = 3;
-constexpr double slow = 0.1;       // seconds
-constexpr double shortest = 4e-3;  // seconds of a turn: a clock tick and a call are far below a thousandth
+constexpr double slow = 0.03;      // seconds
+constexpr double shortest = 2e-3;  // seconds of a turn: a clock tick and a call are far below a thousandth
 
 bool takes_turn(int round, double estimate) {
     return estimate < slow || round % (rounds / rounds_of_slow) == 0;

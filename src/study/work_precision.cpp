@@ -14,8 +14,8 @@ namespace {
 constexpr long most_steps_of_ladder = 1 << 20;
 
 // Work is counted in accelerations of one mass; a solve or a sweep is worth about eight of them. A run of
-// the ladder above this is left out: about half a second here.
-constexpr double most_work = 1.5e8;
+// the ladder above this is left out: about a tenth of a second here.
+constexpr double most_work = 4e7;
 constexpr double solve_work = 8.0;
 
 double work(const Problem& problem, const Cost& cost) {
@@ -192,9 +192,10 @@ Cheapest cheapest(const WorkPrecision& study, bool ours, double pixels) {
     Cheapest best;
     for (const Curve& curve : study.curves) {
         if (curve.contender.library.empty() != ours) continue;
-        for (const Measurement& run : curve.measurements)
-            if (run.worst <= pixels && (!best.measurement || run.time.median < best.measurement->time.median))
-                best = {&curve, &run};
+        for (auto run = curve.measurements.rbegin(); run != curve.measurements.rend(); ++run) {
+            if (!(run->worst <= pixels)) break;
+            if (!best.measurement || run->time.median < best.measurement->time.median) best = {&curve, &*run};
+        }
     }
     return best;
 }

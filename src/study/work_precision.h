@@ -49,7 +49,8 @@ using Report = std::function<void(std::string_view doing, long done, long all)>;
 WorkPrecision work_precision(const Problem& problem, const std::vector<Contender>& contenders,
                              const Report& report);
 
-// The cheapest run among curves of ours (or of others) whose error is at most `pixels`; null where none is.
+// The fastest run among curves of ours (or of others) whose error is at most `pixels`, and that of every
+// finer run of its curve too: a small error beside larger ones is luck. Null where there is none.
 struct Cheapest {
     const Curve* curve = nullptr;
     const Measurement* measurement = nullptr;

@@ -195,5 +195,31 @@ TEST_F(CommandLine, EndsCleanlyAtASignal) {
     }
 }
 
+TEST_F(CommandLine, StudyLeavesNumbersAndChartsWithTheirScripts) {
+    const Outcome outcome = run({"study", "work-precision", "--frames", "4", "--nodes", "3", "--methods",
+                                 "stormer_verlet,explicit_euler,odeint:velocity_verlet", "-o", "charts"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_THAT(outcome.out, HasSubstr("work_precision.csv in charts"));
+    for (const char* chart : {"work_precision", "work_count"}) {
+        EXPECT_GT(picture(std::string("charts/") + chart + ".png").width, 1000);
+        EXPECT_TRUE(exists(std::string("charts/") + chart + ".svg"));
+        EXPECT_TRUE(exists(std::string("charts/") + chart + ".gp"));
+    }
+}
+
+TEST_F(CommandLine, StudyRefusesWhatItCannotStudy) {
+    const auto refused = [&](std::vector<std::string> more, const std::string& message) {
+        std::vector<std::string> arguments{"study", "work-precision"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expect_failure(arguments, 1, message);
+        EXPECT_FALSE(exists("study"));
+    };
+    refused({"--methods", "leapfrog"}, "unknown method 'leapfrog'");
+    refused({"--rope", "Heun"}, "no rope 'Heun' in the scene; expected one of: 'Euler', 'Verlet'");
+    refused({"--frames", "1"}, "expected 2 frames or more");
+    refused({"--frames", "0"}, "frames");
+}
+
 }  // namespace
 }  // namespace ropesim

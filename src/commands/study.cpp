@@ -1,0 +1,146 @@
+#include "clip/chart.h"
+#include "clip/file.h"
+#include "clip/interrupt.h"
+#include "clip/manifest.h"
+#include "commands/commands.h"
+#include "commands/scene_options.h"
+#include "study/work_precision.h"
+#include "study/work_precision_chart.h"
+#include "study/work_precision_csv.h"
+
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+namespace ropesim {
+namespace {
+
+struct StudyOptions {
+    SceneOptions scene;
+    std::string rope;
+    std::string folder = "study";
+    std::optional<int> frames;
+    std::vector<std::string> methods;
+};
+
+void add_options(CLI::App& app, StudyOptions& options) {
+    add_scene_options(app, options.scene);
+    app.add_option("--rope", options.rope, "the rope to study, by its name; the first where none is named")
+        ->type_name("NAME");
+    app.add_option("-o,--output", options.folder, "folder for charts and numbers; made where it is missing")
+        ->type_name("DIR")
+        ->capture_default_str();
+    app.add_option("--frames", options.frames, "frames of the clip, instead of the scene's")->type_name("N");
+    app.add_option("--methods", options.methods, "only these, such as stormer_verlet,odeint:velocity_verlet")
+        ->type_name("M")
+        ->delimiter(',');
+}
+
+Scene opened(const StudyOptions& options) {
+    Scene scene = open_scene(options.scene).scene;
+    if (options.frames) scene.frames = *options.frames;
+    check_scene(scene);
+    if (scene.frames < 2) throw std::runtime_error("a study needs a motion: expected 2 frames or more");
+    return scene;
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directory(folder, error);
+    if (error) throw std::runtime_error(folder + ": cannot make the folder: " + error.message());
+}
+
+// One line on a terminal that says what is being done and how far it is; no line elsewhere.
+class StatusLine {
+  public:
+    ~StatusLine() {
+        if (shown_) std::fputs("\r\x1b[K", stderr);
+    }
+    void show(std::string_view doing, long done, long all) {
+        Interrupts::check();
+        const auto now = std::chrono::steady_clock::now();
+        if (!terminal_ || (shown_ && now - last_ < std::chrono::milliseconds(100))) return;
+        last_ = now;
+        shown_ = true;
+        std::fprintf(stderr, "\r%.*s", static_cast<int>(doing.size()), doing.data());
+        if (all > 0) std::fprintf(stderr, ", %ld of %ld", done, all);
+        std::fputs("\x1b[K", stderr);
+        std::fflush(stderr);
+    }
+
+  private:
+    bool terminal_ = ::isatty(STDERR_FILENO) == 1;
+    bool shown_ = false;
+    std::chrono::steady_clock::time_point last_;
+};
+
+// "scene seed, rope 'Euler': 16 masses, elastic, 120 frames"
+std::string subject(const StudyOptions& options, const Scene& scene, const SceneRope& rope,
+                    const Problem& problem) {
+    return "scene " + std::filesystem::path(options.scene.scene).filename().string() + ", rope '" +
+           rope.name + "': " + std::to_string(rope.nodes) + " masses, " + std::string(name(problem.model)) +
+           ", " + std::to_string(scene.frames) + " frames";
+}
+
+void say_cheapest(const WorkPrecision& study) {
+    std::printf("%9s  %-22s %10s %11s   %s\n", "error, px", "cheapest method", "steps", "time", "of others");
+    for (const double pixels : {10.0, 1.0, 0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8}) {
+        const Cheapest own = cheapest(study, true, pixels);
+        const Cheapest other = cheapest(study, false, pixels);
+        if (!own.measurement) continue;
+        std::printf("%9g  %-22s %10g %8.2f us", pixels, label(own.curve->contender).c_str(),
+                    own.measurement->setting, 1e6 * own.measurement->time.median);
+        if (other.measurement)
+            std::printf("   %.2f times as fast as %s",
+                        other.measurement->time.median / own.measurement->time.median,
+                        label(other.curve->contender).c_str());
+        std::printf("\n");
+    }
+}
+
+int work_precision(const StudyOptions& options) {
+    const Scene scene = opened(options);
+    const SceneRope& rope = rope_named(scene, options.rope);
+    const Problem subject_problem = problem(scene, rope);
+    const std::vector<Contender> all = contenders(subject_problem, options.methods);
+    require_gnuplot();
+    make_folder(options.folder);
+    StatusLine status;
+    const WorkPrecision study =
+        work_precision(subject_problem, all,
+                       [&](std::string_view doing, long done, long of) { status.show(doing, done, of); });
+    const std::string about = subject(options, scene, rope, subject_problem);
+    const std::filesystem::path folder = options.folder;
+    write_file(folder / "work_precision.csv", to_csv(study, version() + ", " + machine() + "; " + about));
+    draw_chart(folder, "work_precision",
+               work_precision_script(study, Work::time, "work_precision", "Work-precision, " + about));
+    draw_chart(folder, "work_count",
+               work_precision_script(study, Work::count, "work_count", "Work-precision, " + about));
+    say_cheapest(study);
+    std::printf("charts work_precision.png, work_count.png (and .svg), numbers work_precision.csv in %s\n",
+                options.folder.c_str());
+    return 0;
+}
+
+}  // namespace
+
+Command study_command(CLI::App& app) {
+    const auto options = std::make_shared<StudyOptions>();
+    app.require_subcommand(1);
+    app.footer("Example: ropesim study work-precision bridge -o bridge-study");
+    CLI::App* chart = app.add_subcommand(
+        "work-precision", "every method's error, in pixels, against what it costs: CSV and charts");
+    chart->set_help_flag("-h,--help", "say how it is used");
+    add_options(*chart, *options);
+    chart->footer(
+        "Examples:\n"
+        "  ropesim study work-precision\n"
+        "  ropesim study work-precision my.toml --frames 60 --methods stormer_verlet,blanes_moan_6 -o chart");
+    return [options] { return work_precision(*options); };
+}
+
+}  // namespace ropesim

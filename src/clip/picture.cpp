@@ -1,5 +1,6 @@
 #include "clip/picture.h"
 
+#include <algorithm>
 #include <string>
 
 namespace ropesim {
@@ -14,14 +15,22 @@ Color readable_on(const Color& background) {
     return luma < 128 * 1000 ? Color{255, 255, 255} : Color{0, 0, 0};
 }
 
+// A rope with steps of its own says how many.
+std::string name_and_steps(const SceneRope& rope) {
+    if (!rope.steps_per_frame) return rope.name;
+    return rope.name + " (" + std::to_string(*rope.steps_per_frame) + " steps per frame)";
+}
+
 std::vector<Words> words(const Scene& scene) {
     std::vector<Words> lines;
     if (!scene.words) return lines;
     const Color plain = readable_on(scene.background);
     if (!scene.title.empty()) lines.push_back({scene.title, plain});
-    lines.push_back({"Steps per frame: " + std::to_string(scene.steps_per_frame), plain});
+    if (std::any_of(scene.ropes.begin(), scene.ropes.end(),
+                    [](const SceneRope& rope) { return !rope.steps_per_frame; }))
+        lines.push_back({"Steps per frame: " + std::to_string(scene.steps_per_frame), plain});
     for (std::size_t i = 0; i < scene.ropes.size() && i < most_names; ++i)
-        lines.push_back({scene.ropes[i].name, scene.ropes[i].color});
+        lines.push_back({name_and_steps(scene.ropes[i]), scene.ropes[i].color});
     if (scene.ropes.size() > most_names)
         lines.push_back({"and " + std::to_string(scene.ropes.size() - most_names) + " more ropes", plain});
     return lines;

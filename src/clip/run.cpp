@@ -37,7 +37,7 @@ std::string excess(const Run& run) {
 std::vector<Run> runs(const Scene& scene) {
     std::vector<Run> result;
     for (const SceneRope& rope : scene.ropes) {
-        Stepping each = stepping(scene.frame_time, scene.steps_per_frame);
+        Stepping each = stepping(scene.frame_time, steps_per_frame(scene, rope));
         each.damping_factor = rope.damping_factor;
         each.sweeps = rope.sweeps;
         result.push_back({&rope, &find_method(rope.method), make_rope(scene, rope), each});

@@ -24,6 +24,7 @@ FoundScene open_scene(const SceneOptions& options) {
     if (options.steps_per_frame) scene.steps_per_frame = *options.steps_per_frame;
     if (options.gravity) scene.gravity = {(*options.gravity)[0], (*options.gravity)[1]};
     for (SceneRope& rope : scene.ropes) {
+        if (options.steps_per_frame) rope.steps_per_frame.reset();
         if (options.nodes) rope.nodes = *options.nodes;
         if (!options.mass) continue;
         rope.mass = *options.mass;

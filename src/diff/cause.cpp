@@ -54,9 +54,10 @@ void add_keys(Cause& cause) {
 }
 
 double mass_steps(const Scene& scene) {
-    double masses = 0.0;
-    for (const SceneRope& rope : scene.ropes) masses += rope.nodes;
-    return masses * scene.steps_per_frame * scene.frames;
+    double steps = 0.0;
+    for (const SceneRope& rope : scene.ropes)
+        steps += static_cast<double>(rope.nodes) * steps_per_frame(scene, rope);
+    return steps * scene.frames;
 }
 
 bool can_simulate(const Side& side) {

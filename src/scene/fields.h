@@ -24,6 +24,7 @@ struct MethodName {
 inline constexpr Range coordinates{-1e9, 1e9};
 inline constexpr Range positive{1e-12, 1e15};
 inline constexpr Range pixels{0.0, 1000.0};
+inline constexpr Range steps{1, 1'000'000};  // per frame
 inline constexpr long most_ropes = 100'000;
 inline constexpr long most_masses = 10'000'000;  // of all ropes together
 
@@ -36,11 +37,12 @@ void view_fields(Visitor& visitor, View& view) {
 template <class Visitor, class Scene>
 void clip_fields(Visitor& visitor, Scene& scene) {
     visitor.field("frames", scene.frames, Range{1, 10'000'000});
-    visitor.field("steps_per_frame", scene.steps_per_frame, Range{1, 1'000'000});
+    visitor.field("steps_per_frame", scene.steps_per_frame, steps);
     visitor.field("frame_time", scene.frame_time, Range{1e-9, 1e9});
     visitor.field("size", scene.size, Range{1, 16'384});
     visitor.field("view", scene.view);
     visitor.field("background", scene.background);
+    visitor.field("tolerance", scene.tolerance, Range{1e-9, 1e6});
     visitor.field("words", scene.words);
 }
 
@@ -59,6 +61,7 @@ void rope_fields(Visitor& visitor, Rope& rope) {
     visitor.field("pinned", rope.pinned, Range{-1e6, 1e6});
     visitor.field("damping", rope.damping, Range{0.0, 1e6});
     visitor.field("damping_factor", rope.damping_factor, Range{0.0, 1.0, true});
+    visitor.field("steps_per_frame", rope.steps_per_frame, steps);
     visitor.field("sweeps", rope.sweeps, Range{1, 1000});
     visitor.field("color", rope.color);
     visitor.field("line_width", rope.line_width, pixels);

@@ -135,7 +135,8 @@ class Reader {
         if (const auto problem = problem_of_method(member.name)) fail(file_, node.source(), *problem);
     }
 
-    void read(const char* key, const toml::node& node, std::optional<double>& member,
+    template <class Number>
+    void read(const char* key, const toml::node& node, std::optional<Number>& member,
               const Range& range) const {
         read(key, node, member.emplace(), range);
     }

@@ -92,6 +92,7 @@ std::optional<std::string> problem_of_text(const std::string& text) {
 }
 
 std::optional<std::string> problem_of_method(const std::string& name) {
+    if (name == auto_method) return std::nullopt;
     try {
         find_method(name);
         return std::nullopt;

@@ -46,7 +46,8 @@ class Checker {
         if (const auto problem = problem_of_method(member.name)) throw std::runtime_error(where_ + *problem);
     }
 
-    void check(const char* key, const std::optional<double>& member, const Range& range) const {
+    template <class Number>
+    void check(const char* key, const std::optional<Number>& member, const Range& range) const {
         if (member) check(key, *member, range);
     }
 
@@ -85,15 +86,17 @@ bool operator==(const SceneRope& a, const SceneRope& b) {
            std::equal(a.via.begin(), a.via.end(), b.via.begin(), b.via.end(), same) && a.nodes == b.nodes &&
            a.mass == b.mass && a.masses == b.masses && a.stiffness == b.stiffness &&
            a.rest_length == b.rest_length && a.pinned == b.pinned && a.damping == b.damping &&
-           a.damping_factor == b.damping_factor && a.sweeps == b.sweeps && a.color == b.color &&
-           a.line_width == b.line_width && a.point_size == b.point_size;
+           a.damping_factor == b.damping_factor && a.steps_per_frame == b.steps_per_frame &&
+           a.sweeps == b.sweeps && a.color == b.color && a.line_width == b.line_width &&
+           a.point_size == b.point_size;
 }
 
 bool operator==(const Scene& a, const Scene& b) {
     return a.title == b.title && same(a.gravity, b.gravity) && a.frames == b.frames &&
            a.steps_per_frame == b.steps_per_frame && a.frame_time == b.frame_time && a.size == b.size &&
            same(a.view.center, b.view.center) && a.view.height == b.view.height &&
-           a.background == b.background && a.words == b.words && a.ropes == b.ropes;
+           a.background == b.background && a.tolerance == b.tolerance && a.words == b.words &&
+           a.ropes == b.ropes;
 }
 
 void check_scene(const Scene& scene) {
@@ -111,6 +114,10 @@ void check_scene(const Scene& scene) {
         rope_fields(checker, rope);
         if (const auto problem = problem_of_rope(rope)) checker.fail(problem->key + ":", problem->what);
     }
+}
+
+int steps_per_frame(const Scene& scene, const SceneRope& rope) {
+    return rope.steps_per_frame.value_or(scene.steps_per_frame);
 }
 
 Rope make_rope(const Scene& scene, const SceneRope& description) {

@@ -13,10 +13,13 @@
 
 namespace ropesim {
 
+// What a scene names as method where the program is to choose.
+inline constexpr std::string_view auto_method = "auto";
+
 // A rope as a scene describes it; the members are the keys of [[rope]].
 struct SceneRope {
     std::string name;
-    std::string method = "symplectic_euler";
+    std::string method = "symplectic_euler";  // or "auto": the cheapest that keeps to the clip's tolerance
     Eigen::Array2d start = {0.0, 0.0};
     std::vector<Eigen::Array2d> via;  // corners on the way from start to end; usually none
     Eigen::Array2d end = {0.0, 0.0};
@@ -24,11 +27,12 @@ struct SceneRope {
     double mass = 1.0;           // of each node ...
     std::vector<double> masses;  // ... unless given one by one, with `mass` as it is here
     double stiffness = 100.0;
-    std::optional<double> rest_length;  // of each link; without it, the spacing at the start
-    std::vector<int> pinned = {0};      // -1 is the last node, -2 the one before
-    double damping = 0.0;               // rate, per unit of time
-    double damping_factor = 0.0;        // the seed's: share of the velocity lost in each step
-    int sweeps = 1;                     // of constraint_projection
+    std::optional<double> rest_length;   // of each link; without it, the spacing at the start
+    std::vector<int> pinned = {0};       // -1 is the last node, -2 the one before
+    double damping = 0.0;                // rate, per unit of time
+    double damping_factor = 0.0;         // the seed's: share of the velocity lost in each step
+    std::optional<int> steps_per_frame;  // of this rope; without it, the clip's
+    int sweeps = 1;                      // over the links in each step, where a method sweeps
     std::array<std::uint8_t, 3> color = {255, 255, 255};
     double line_width = 4.0;  // pixels
     double point_size = 8.0;  // pixels
@@ -50,7 +54,8 @@ struct Scene {
     std::array<int, 2> size = {960, 640};  // pixels, width and height
     View view;
     std::array<std::uint8_t, 3> background = {0, 0, 0};
-    bool words = true;  // title, steps per frame and the ropes' names in the picture's corner
+    std::optional<double> tolerance;  // pixels that a rope with method "auto" may be wrong by
+    bool words = true;                // title, steps per frame and the ropes' names in the picture's corner
     std::vector<SceneRope> ropes;
 };
 
@@ -69,6 +74,9 @@ void check_scene(const Scene& scene);
 // The scene as TOML, every key written out, numbers so that they read back as the same doubles.
 // parse_scene(to_toml(scene)) is the same scene, and equal scenes give equal texts.
 std::string to_toml(const Scene& scene);
+
+// How many steps per frame a rope is to be advanced by: its own, or the clip's.
+int steps_per_frame(const Scene& scene, const SceneRope& rope);
 
 // The rope that a method advances.
 Rope make_rope(const Scene& scene, const SceneRope& rope);

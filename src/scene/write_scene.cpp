@@ -25,14 +25,20 @@ class Writer {
     static bool is_left_out(const Member&) {
         return false;
     }
-    static bool is_left_out(const std::optional<double>& member) { return !member; }
+    template <class Number>
+    static bool is_left_out(const std::optional<Number>& member) {
+        return !member;
+    }
     static bool is_left_out(const std::vector<double>& masses) { return masses.empty(); }
     static bool is_left_out(const std::vector<Eigen::Array2d>& corners) { return corners.empty(); }
 
     static std::string value(double number) { return number_text(number); }
     static std::string value(int number) { return std::to_string(number); }
     static std::string value(bool claim) { return claim ? "true" : "false"; }
-    static std::string value(const std::optional<double>& number) { return number_text(*number); }
+    template <class Number>
+    static std::string value(const std::optional<Number>& number) {
+        return value(*number);
+    }
     static std::string value(const MethodName<const std::string>& method) { return value(method.name); }
 
     // Control characters are none (problem_of_text); the rest stands as it is but for these two.

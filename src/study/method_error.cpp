@@ -14,13 +14,14 @@ namespace ropesim {
 Problem problem(const Scene& scene, const SceneRope& description) {
     Problem problem;
     problem.rope = make_rope(scene, description);
-    problem.model = find_method(description.method).model;
+    problem.model =
+        description.method == auto_method ? Model::elastic : find_method(description.method).model;
     problem.frame_time = scene.frame_time;
     problem.frames = scene.frames;
     problem.pixels_per_unit = scene.size[1] / scene.view.height;
-    problem.steps_per_frame = scene.steps_per_frame;
+    problem.steps_per_frame = steps_per_frame(scene, description);
     problem.sweeps = description.sweeps;
-    Stepping step = stepping(scene.frame_time, scene.steps_per_frame);
+    Stepping step = stepping(scene.frame_time, problem.steps_per_frame);
     step.damping_factor = description.damping_factor;
     problem.rope.damping = damping_per_step(problem.rope, step) / step.step_size;
     if (!std::isfinite(problem.rope.damping))

@@ -12,7 +12,7 @@ namespace ropesim {
 // What a rope of a scene asks for, whichever way it is computed.
 struct Problem {
     Rope rope;    // its damping is a rate; a factor per step, at the scene's own steps, has become one
-    Model model;  // of the method that the scene names
+    Model model;  // of the method that the scene names; springs where it names "auto"
     double frame_time = 1.0;
     long frames = 120;
     double pixels_per_unit = 1.0;

@@ -72,16 +72,23 @@ Reference reference(const Rope& rope, Model model, double frame_time, long frame
     const TaylorPrecision looser{.order = 20, .tolerance = 10.0L * epsilon};
     const Run truth = taylor_run(rope, model, frame_time, frames, finest);
     const Run second = taylor_run(rope, model, frame_time, frames, looser);
-    const Run other = sundials_run(rope, model, frame_time, static_cast<long>(truth.position.size()));
     Reference result;
-    const std::size_t reached = std::min(second.position.size(), other.position.size());
-    for (std::size_t frame = 0; frame < std::min(truth.position.size(), reached); ++frame) {
+    const std::size_t reached = std::min(truth.position.size(), second.position.size());
+    for (std::size_t frame = 0; frame < reached; ++frame) {
         result.frames.push_back(truth.position[frame]);
         result.velocities.push_back(truth.velocity[frame]);
         result.error.push_back(greatest_distance(truth.position[frame], second.position[frame]));
-        result.confirmation.push_back(greatest_distance(truth.position[frame], other.position[frame]));
     }
     return result;
+}
+
+std::vector<double> confirmation(const Reference& reference, const Rope& rope, Model model,
+                                 double frame_time) {
+    const Run other = sundials_run(rope, model, frame_time, static_cast<long>(reference.frames.size()));
+    std::vector<double> distances;
+    for (std::size_t frame = 0; frame < other.position.size(); ++frame)
+        distances.push_back(greatest_distance(reference.frames[frame], other.position[frame]));
+    return distances;
 }
 
 long believed_frames(const Reference& reference, double bound) {

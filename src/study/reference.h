@@ -7,10 +7,9 @@
 namespace ropesim {
 
 // What a rope truly does: its model's equations of motion, solved without the methods and the forces of
-// `simulation`, three times. The positions handed out come from Taylor series in long double (taylor_run.h);
-// beside them stand a second run of the same, looser and of another order, and one by SUNDIALS in double
-// (sundials_run.h), which for an inextensible rope is in other coordinates too.
-// The frames end where one of the three could not go on, as at a link whose length passes through zero.
+// `simulation`, by Taylor series in long double (taylor_run.h), twice: the second run, looser and of another
+// order, tells how far the first can be believed.
+// The frames end where one of the two could not go on, as at a link whose length passes through zero.
 struct Reference {
     std::vector<Points> frames;      // positions of frame 0 (the start), 1, 2, ...; world units, masses×2
     std::vector<Points> velocities;  // world units per unit of time, masses×2
@@ -19,11 +18,6 @@ struct Reference {
     // what the positions are wrong by, where long double is the 80 bits of x86 (on the seed's rope, where a
     // run in 113 bits found 5e-11 at t = 120, it says 4e-11; up to t = 60 both are double's last digit).
     std::vector<double> error;
-
-    // Of each frame, world units: greatest distance of any mass in SUNDIALS' run. It says that the equations
-    // are right; its size is the rounding of double as the motion magnifies it, which no method in double
-    // escapes.
-    std::vector<double> confirmation;
 };
 
 // The motion from rest over `frames` frames, frame 0 included. Damping is the rope's rate.
@@ -31,6 +25,13 @@ struct Reference {
 // inextensible one, a link that does not start at its rest length (to 1e-12 of it), or two or more links
 // between two pins that lie on one line (to 1e-6 radians), where their tensions are not determined.
 Reference reference(const Rope& rope, Model model, double frame_time, long frames);
+
+// Of each frame, world units: greatest distance of any mass in a run by SUNDIALS in double (sundials_run.h),
+// which for an inextensible rope is in other coordinates too; shorter where that could not go on. It says
+// that the equations are right; its size is the rounding of double as the motion magnifies it, which no
+// method in double escapes.
+std::vector<double> confirmation(const Reference& reference, const Rope& rope, Model model,
+                                 double frame_time);
 
 // How many frames from the first on can be believed: those before the first whose error is above `bound`,
 // world units.

@@ -54,6 +54,7 @@ frame_time = 0.5
 size = [7, 8]
 view = { center = [9, 10], height = 11 }
 background = "#010203"
+tolerance = 28
 words = false
 [[rope]]
 name = "N"
@@ -67,6 +68,7 @@ stiffness = 22
 rest_length = 23
 pinned = [1, -2]
 damping = 24
+steps_per_frame = 29
 sweeps = 25
 color = "#AbCdEf"
 line_width = 26
@@ -88,6 +90,7 @@ damping_factor = 0.25
     expected.size = {7, 8};
     expected.view = {{9.0, 10.0}, 11.0};
     expected.background = {1, 2, 3};
+    expected.tolerance = 28.0;
     expected.words = false;
     expected.ropes.resize(2);
     SceneRope& first = expected.ropes[0];
@@ -102,6 +105,7 @@ damping_factor = 0.25
     first.rest_length = 23.0;
     first.pinned = {1, -2};
     first.damping = 24.0;
+    first.steps_per_frame = 29;
     first.sweeps = 25;
     first.color = {0xab, 0xcd, 0xef};
     first.line_width = 26.0;

@@ -65,6 +65,7 @@ SceneRope random_rope(Dice& dice, int number) {
     rope.pinned.clear();
     if (dice.coin()) rope.pinned = {-1, 0};
     (dice.coin() ? rope.damping : rope.damping_factor) = dice.number(-6, -1);
+    if (dice.coin()) rope.steps_per_frame = dice.integer(1, 1'000'000);
     rope.sweeps = dice.integer(1, 1000);
     rope.color = dice.color();
     rope.line_width = dice.number(-2, 2);
@@ -83,6 +84,7 @@ Scene random_scene(unsigned seed) {
     scene.size = {dice.integer(1, 16384), dice.integer(1, 16384)};
     scene.view = {dice.point(), dice.number(-3, 6)};
     scene.background = dice.color();
+    if (dice.coin()) scene.tolerance = dice.number(-8, 5);
     scene.words = dice.coin();
     for (int i = dice.integer(1, 4); i > 0; --i) scene.ropes.push_back(random_rope(dice, i));
     return scene;

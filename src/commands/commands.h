@@ -15,6 +15,7 @@ using Command = std::function<int()>;
 Command render_command(CLI::App& app);
 Command simulate_command(CLI::App& app);
 Command study_command(CLI::App& app);
+Command plan_command(CLI::App& app);
 Command diff_command(CLI::App& app);
 Command methods_command(CLI::App& app);
 Command scenes_command(CLI::App& app);

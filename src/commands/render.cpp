@@ -141,7 +141,7 @@ void report_done(const ClipResult& result, const std::string& folder, double sec
 
 int render(const RenderOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    FoundScene found = open_scene(options.scene);
+    FoundScene found = open_planned_scene(options.scene);
     Scene& scene = found.scene;
     set_size(scene, options.size);
     if (!found.positions_digest.empty() && options.positions.empty())

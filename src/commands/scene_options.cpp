@@ -1,6 +1,7 @@
 #include "commands/scene_options.h"
 
 #include "clip/frames.h"
+#include "study/plan.h"
 
 #include <CLI/CLI.hpp>
 
@@ -31,6 +32,12 @@ FoundScene open_scene(const SceneOptions& options) {
         rope.masses.clear();
     }
     check_scene(scene);
+    return found;
+}
+
+FoundScene open_planned_scene(const SceneOptions& options) {
+    FoundScene found = open_scene(options);
+    found.scene = with_planned_ropes(found.scene);
     return found;
 }
 

@@ -27,6 +27,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options);
 // The scene with the options in place, checked. Throws std::runtime_error.
 FoundScene open_scene(const SceneOptions& options);
 
+// The same with methods and steps chosen for ropes whose method is "auto".
+FoundScene open_planned_scene(const SceneOptions& options);
+
 // The frames that `--frames` asks for. Throws CLI::ValidationError.
 std::vector<long> selected_frames(const std::string& text, const Scene& scene);
 

@@ -2,7 +2,7 @@
 #include "clip/run.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
-#include "study/method_error.h"
+#include "study/plan.h"
 
 #include <CLI/CLI.hpp>
 
@@ -94,6 +94,7 @@ int simulate(const SimulateOptions& options) {
     if (!options.truth.empty()) check_file("--truth", options.truth);
     Scene scene = open_scene(options.scene).scene;
     set_methods(scene, options.methods);
+    scene = with_planned_ropes(scene);
     const std::vector<long> frames = selected_frames(options.frames, scene);
     const std::vector<Run> scene_runs = runs(scene);
     for (const std::string& warning : stability_warnings(scene, scene_runs))

@@ -27,18 +27,19 @@ std::string plain(double number) {
     return number_text(number);
 }
 
-std::optional<Problem> problem_of_pins(const SceneRope& rope) {
+std::optional<KeyProblem> problem_of_pins(const SceneRope& rope) {
     std::vector<int> pins;
     for (const int pin : rope.pinned) {
         if (pin < -rope.nodes || pin >= rope.nodes)
-            return Problem{"pinned", "node " + std::to_string(pin) + " does not exist, expected " +
-                                         std::to_string(-rope.nodes) + " to " +
-                                         std::to_string(rope.nodes - 1)};
+            return KeyProblem{"pinned", "node " + std::to_string(pin) + " does not exist, expected " +
+                                            std::to_string(-rope.nodes) + " to " +
+                                            std::to_string(rope.nodes - 1)};
         pins.push_back(pin < 0 ? pin + rope.nodes : pin);
     }
     std::sort(pins.begin(), pins.end());
     const auto twice = std::adjacent_find(pins.begin(), pins.end());
-    if (twice != pins.end()) return Problem{"pinned", "node " + std::to_string(*twice) + " is pinned twice"};
+    if (twice != pins.end())
+        return KeyProblem{"pinned", "node " + std::to_string(*twice) + " is pinned twice"};
     return std::nullopt;
 }
 
@@ -51,26 +52,27 @@ bool has_a_corner_twice(const SceneRope& rope) {
                               [](const auto& a, const auto& b) { return (a == b).all(); }) != corners.end();
 }
 
-std::optional<Problem> problem_of_path(const SceneRope& rope) {
+std::optional<KeyProblem> problem_of_path(const SceneRope& rope) {
     const char* const key = rope.via.empty() ? "end" : "via";
     if (has_a_corner_twice(rope))
-        return Problem{key, rope.via.empty() ? "start and end are the same point, expected two"
-                                             : "two corners in a row of start, via, end are the same point"};
+        return KeyProblem{key, rope.via.empty()
+                                   ? "start and end are the same point, expected two"
+                                   : "two corners in a row of start, via, end are the same point"};
     const Points points = points_along(rope);
     for (Eigen::Index i = 0; i + 1 < points.rows(); ++i)
         if (!((points.row(i + 1) - points.row(i)).square().sum() >= shortest_link * shortest_link))
-            return Problem{key, "nodes " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                    " are in the same place, expected neighbours at least " +
-                                    number_text(shortest_link) + " apart"};
+            return KeyProblem{key, "nodes " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                                       " are in the same place, expected neighbours at least " +
+                                       number_text(shortest_link) + " apart"};
     return std::nullopt;
 }
 
-std::optional<Problem> problem_of_masses(const SceneRope& rope) {
+std::optional<KeyProblem> problem_of_masses(const SceneRope& rope) {
     if (rope.masses.empty()) return std::nullopt;
     if (rope.mass != SceneRope().mass)
-        return Problem{"masses", "expected either mass (of every node) or masses (one each), not both"};
+        return KeyProblem{"masses", "expected either mass (of every node) or masses (one each), not both"};
     if (rope.masses.size() != static_cast<std::size_t>(rope.nodes))
-        return Problem{"masses", found_masses(rope.masses.size(), rope.nodes)};
+        return KeyProblem{"masses", found_masses(rope.masses.size(), rope.nodes)};
     return std::nullopt;
 }
 
@@ -113,12 +115,12 @@ std::string found_masses(std::size_t masses, int nodes) {
            " nodes, expected one for each";
 }
 
-std::optional<Problem> problem_of_rope(const SceneRope& rope) {
-    if (rope.name.empty()) return Problem{"name", "is empty"};
+std::optional<KeyProblem> problem_of_rope(const SceneRope& rope) {
+    if (rope.name.empty()) return KeyProblem{"name", "is empty"};
     if (auto problem = problem_of_masses(rope)) return problem;
     if (rope.damping > 0.0 && rope.damping_factor > 0.0)
-        return Problem{"damping_factor",
-                       "expected either damping (a rate) or damping_factor (per step), not both"};
+        return KeyProblem{"damping_factor",
+                          "expected either damping (a rate) or damping_factor (per step), not both"};
     if (auto problem = problem_of_path(rope)) return problem;
     return problem_of_pins(rope);
 }

@@ -9,7 +9,7 @@
 namespace ropesim {
 
 // What is wrong with a scene: the key to blame and a sentence about its value.
-struct Problem {
+struct KeyProblem {
     std::string key;
     std::string what;
 };
@@ -20,13 +20,13 @@ std::optional<std::string> problem_of_method(const std::string& name);
 std::optional<std::string> problem_of_number(double number, const Range& range);
 
 // What several keys of a rope decide together.
-std::optional<Problem> problem_of_rope(const SceneRope& rope);
+std::optional<KeyProblem> problem_of_rope(const SceneRope& rope);
 std::string found_masses(std::size_t masses, int nodes);
 
 // What the ropes decide together: names of their own, not too many masses. The rope is an index.
 struct RopeProblem {
     std::size_t rope;
-    Problem problem;
+    KeyProblem problem;
 };
 std::optional<RopeProblem> problem_of_ropes(const std::vector<SceneRope>& ropes);
 

@@ -58,6 +58,13 @@ double longest_link(const Points& position) {
     return longest;
 }
 
+double shortest_link(const Points& position) {
+    double shortest = length(position, 0);
+    for (Eigen::Index link = 1; link + 1 < position.rows(); ++link)
+        shortest = std::min(shortest, length(position, link));
+    return shortest;
+}
+
 double rope_length(const Points& position) {
     double sum = 0.0;
     for (Eigen::Index link = 0; link + 1 < position.rows(); ++link) sum += length(position, link);

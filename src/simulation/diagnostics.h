@@ -19,8 +19,9 @@ Energy energy(const Rope& rope, Model model, const State& state);
 // The greatest distance of a mass from where it should be, world units.
 double greatest_distance(const Points& expected, const Points& actual);
 
-// Greatest length of a link, world units.
+// Greatest and smallest length of a link, world units.
 double longest_link(const Points& position);
+double shortest_link(const Points& position);
 
 // Length along the rope, world units.
 double rope_length(const Points& position);

@@ -39,6 +39,16 @@ const SceneRope& rope_named(const Scene& scene, std::string_view name) {
     throw std::runtime_error("no rope '" + std::string(name) + "' in the scene; expected one of: " + known);
 }
 
+bool fits(const Problem& problem, const Method& method) {
+    if (method.model == problem.model) return true;
+    if (problem.model == Model::inextensible) return false;
+    constexpr double tolerance = 1e-9;
+    const double longest = longest_link(problem.rope.start);
+    const double shortest = shortest_link(problem.rope.start);
+    const double rest = problem.rope.rest_length;
+    return std::max(longest - rest, rest - shortest) <= tolerance * rest;
+}
+
 Stepping stepping(const Problem& problem, long steps_per_frame) {
     Stepping result = stepping(problem.frame_time, steps_per_frame);
     result.sweeps = problem.sweeps;

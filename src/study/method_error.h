@@ -26,6 +26,10 @@ Problem problem(const Scene& scene, const SceneRope& rope);
 // The rope of that name; the first where `name` is "". Throws std::runtime_error that lists the names.
 const SceneRope& rope_named(const Scene& scene, std::string_view name);
 
+// Whether the method can move the problem's rope: it is of the rope's model, or the rope has springs and the
+// method none, and the links start at rest length (to 1e-9 of it), as those without springs must.
+bool fits(const Problem& problem, const Method& method);
+
 // The problem's equal steps.
 Stepping stepping(const Problem& problem, long steps_per_frame);
 

@@ -1,8 +1,8 @@
 #include "study/timing.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace ropesim {
 namespace {
@@ -18,13 +18,18 @@ bool takes_turn(int round, double estimate) {
 
 double seconds_of(const std::function<void()>& task, double estimate) {
     const auto repetitions = std::max(1L, std::lround(shortest / std::max(estimate, 1e-9)));
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     for (long i = 0; i < repetitions; ++i) task();
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    return taken.count() / static_cast<double>(repetitions);
+    return (processor_seconds() - start) / static_cast<double>(repetitions);
 }
 
 }  // namespace
+
+double processor_seconds() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 Times quartiles(std::vector<double> seconds) {
     if (seconds.empty()) return {};
@@ -58,6 +63,12 @@ std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks,
     std::vector<Times> times;
     for (const std::vector<double>& each : seconds) times.push_back(quartiles(each));
     return times;
+}
+
+std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks) {
+    std::vector<double> estimates;
+    for (const auto& task : tasks) estimates.push_back(seconds_of(task, shortest));
+    return times_of(tasks, estimates, [] {});
 }
 
 }  // namespace ropesim

@@ -5,7 +5,10 @@
 
 namespace ropesim {
 
-// Of repeated measurements, seconds.
+// Seconds that the processor has spent on this thread.
+double processor_seconds();
+
+// Of repeated measurements, seconds of the processor: time in which it did other work does not count.
 struct Times {
     double lower = 0.0;  // quartile
     double median = 0.0;
@@ -23,5 +26,8 @@ Times quartiles(std::vector<double> seconds);
 std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks,
                             const std::vector<double>& estimates, const std::function<void()>& turn_done);
 long turns(const std::vector<double>& estimates);
+
+// The same where nothing is known of the tasks: each is run once before, which tells how long it takes.
+std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks);
 
 }  // namespace ropesim

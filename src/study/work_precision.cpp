@@ -3,7 +3,6 @@
 #include "simulation/diagnostics.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -52,7 +51,7 @@ struct Attempt {
 
 Attempt attempt(const Contender& contender, const Problem& problem, const Truth& truth, double setting) {
     const std::unique_ptr<Solver> solver = contender.make(problem, setting);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     std::vector<Points> frames{solver->position()};
     for (long frame = 1; frame < problem.frames; ++frame) {
         if (!solver->advance()) break;
@@ -60,7 +59,7 @@ Attempt attempt(const Contender& contender, const Problem& problem, const Truth&
         frames.push_back(solver->position());
     }
     Attempt attempt;
-    attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    attempt.seconds = processor_seconds() - start;
     Measurement& result = attempt.measurement;
     const MethodError error = method_error(problem, truth, frames);
     result.setting = setting;
@@ -145,7 +144,10 @@ std::vector<Contender> contenders(const Problem& problem, const std::vector<std:
     std::string known;
     for (const Contender& each : all) {
         const bool named = names.empty() || std::count(names.begin(), names.end(), label(each)) > 0;
-        if (named && (each.damps || problem.rope.damping == 0.0)) wanted.push_back(each);
+        const bool follows =
+            each.method ? fits(problem, *each.method)
+                        : problem.model == Model::elastic && (each.damps || problem.rope.damping == 0.0);
+        if (named && follows) wanted.push_back(each);
         known += (known.empty() ? "" : ", ") + label(each);
     }
     for (const std::string& name : names)

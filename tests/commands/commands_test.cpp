@@ -221,5 +221,46 @@ TEST_F(CommandLine, StudyRefusesWhatItCannotStudy) {
     refused({"--frames", "0"}, "frames");
 }
 
+TEST_F(CommandLine, PlanSavesASceneThatKeepsToTheTolerance) {
+    const Outcome outcome = run({"plan", "seed", "--tolerance", "0.01", "--write", "planned.toml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("rope 'Euler': 16 masses, 120 frames, at most 0.01 px"), HasSubstr("take "),
+                      HasSubstr("as written  symplectic_euler, 64 steps"), HasSubstr("runner-up "),
+                      HasSubstr("looser "), HasSubstr("a disturbance of 1e-9 px grows to")));
+    const Outcome truth = run({"simulate", "planned.toml", "--truth", "truth.csv"});
+    EXPECT_EQ(truth.status, 0) << truth.err;
+    EXPECT_THAT(truth.err, HasSubstr("rope 'Euler'"));
+    const double worst = std::stod(truth.err.substr(truth.err.find("off by ") + 7));
+    EXPECT_LE(worst, 0.01);
+}
+
+TEST_F(CommandLine, PlanSaysWhatCanBeKeptWhereTheToleranceCannot) {
+    const Outcome outcome = run({"plan", "seed", "--tolerance", "1e-9", "--write", "planned.toml"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.out, HasSubstr("nothing keeps to it; the nearest is"));
+    EXPECT_THAT(outcome.err, HasSubstr("the tolerance cannot be kept; nothing was written"));
+    EXPECT_FALSE(exists("planned.toml"));
+    expect_failure({"plan", "--tolerance", "0"}, 2, "--tolerance");
+    expect_failure({"plan", "--tolerance", "-1"}, 2, "--tolerance");
+    expect_failure({"plan", "--tolerance", "nan"}, 2, "--tolerance");
+}
+
+// The frames carry the scene as planned, so that they render again to the same bytes without planning.
+TEST_F(CommandLine, RendersAnAutomaticRopeByWhatItPlans) {
+    write("auto.toml",
+          "[clip]\nframes = 20\ntolerance = 0.01\n[[rope]]\nname = \"a\"\nmethod = \"auto\"\n"
+          "start = [0, 200]\nend = [-400, 200]\n");
+    EXPECT_EQ(run({"auto.toml"}).status, 2);
+    const Outcome outcome = run({"render", "auto.toml", "--frames", "0,19"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(run({"render", "frames/frame_0019.png", "--frames", "0,19", "-o", "again"}).status, 0);
+    EXPECT_EQ(contents("again"), contents("frames"));
+    const auto scene =
+        scene_of(decode_png_texts(read_file(temporary.path() / "frames/frame_0019.png"), ""), "");
+    EXPECT_NE(scene.ropes[0].method, "auto");
+    EXPECT_TRUE(scene.ropes[0].steps_per_frame);
+}
+
 }  // namespace
 }  // namespace ropesim

@@ -4,6 +4,7 @@
 #include "clip/manifest.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "study/stability.h"
 #include "study/work_precision.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_csv.h"
@@ -25,6 +26,7 @@ struct StudyOptions {
     std::string folder = "study";
     std::optional<int> frames;
     std::vector<std::string> methods;
+    std::string against = "stiffness";
 };
 
 void add_options(CLI::App& app, StudyOptions& options) {
@@ -102,6 +104,40 @@ void say_cheapest(const WorkPrecision& study) {
     }
 }
 
+std::vector<const Method*> methods_named(const Problem& problem, const std::vector<std::string>& names) {
+    std::vector<const Method*> result;
+    for (const std::string& name : names) {
+        result.push_back(&find_method(name));
+        if (!fits(problem, *result.back()))
+            throw std::runtime_error(name +
+                                     " cannot move this rope: its links keep their length, and those of the "
+                                     "rope do not start at it");
+    }
+    if (names.empty())
+        for (const Method& method : methods())
+            if (fits(problem, method)) result.push_back(&method);
+    return result;
+}
+
+int stability(const StudyOptions& options) {
+    const Scene scene = opened(options);
+    const SceneRope& rope = rope_named(scene, options.rope);
+    const Problem subject_problem = problem(scene, rope);
+    const std::vector<const Method*> all = methods_named(subject_problem, options.methods);
+    require_gnuplot();
+    make_folder(options.folder);
+    const Against against = options.against == "damping" ? Against::damping : Against::stiffness;
+    StatusLine status;
+    const StabilityMap map = stability_map(
+        subject_problem, against, all, [&](long done, long of) { status.show("stability, runs", done, of); });
+    const std::string about = subject(options, scene, rope, subject_problem);
+    const std::filesystem::path folder = options.folder;
+    write_file(folder / "stability.csv", to_csv(map, version() + "; " + about));
+    draw_chart(folder, "stability", stability_script(map, "Stability, " + about));
+    std::printf("chart stability.png (and .svg), numbers stability.csv in %s\n", options.folder.c_str());
+    return 0;
+}
+
 int work_precision(const StudyOptions& options) {
     const Scene scene = opened(options);
     const SceneRope& rope = rope_named(scene, options.rope);
@@ -134,13 +170,24 @@ Command study_command(CLI::App& app) {
     app.footer("Example: ropesim study work-precision bridge -o bridge-study");
     CLI::App* chart = app.add_subcommand(
         "work-precision", "every method's error, in pixels, against what it costs: CSV and charts");
-    chart->set_help_flag("-h,--help", "say how it is used");
     add_options(*chart, *options);
     chart->footer(
         "Examples:\n"
         "  ropesim study work-precision\n"
         "  ropesim study work-precision my.toml --frames 60 --methods stormer_verlet,blanes_moan_6 -o chart");
-    return [options] { return work_precision(*options); };
+    CLI::App* map = app.add_subcommand(
+        "stability", "where methods hold and fail, over steps and stiffness: CSV and a map");
+    add_options(*map, *options);
+    map->add_option("--against", options->against, "what varies beside the steps: stiffness or damping")
+        ->type_name("WHAT")
+        ->check(CLI::IsMember({"stiffness", "damping"}).description(""))
+        ->capture_default_str();
+    map->footer(
+        "Examples:\n"
+        "  ropesim study stability --frames 60\n"
+        "  ropesim study stability my.toml --against damping --methods symplectic_euler,xpbd");
+    for (CLI::App* each : {chart, map}) each->set_help_flag("-h,--help", "say how it is used");
+    return [options, map] { return map->parsed() ? stability(*options) : work_precision(*options); };
 }
 
 }  // namespace ropesim

@@ -31,23 +31,20 @@ class Descriptor {
     Descriptor& operator=(const Descriptor&) = delete;
 
     int number() const { return number_; }
-    bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
   private:
     int number_;
 };
 
-void write_all(Descriptor& file, std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(path, "cannot write");
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    if (!file.close()) fail(path, "cannot write");
+constexpr std::size_t written_at_once = std::size_t{1} << 16;
+
+bool is_regular_or_missing(const std::filesystem::path& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
-// Temporary files of this machine are named .ropesim-<host>-<process>.tmp.
+// Temporary files of this machine are named .ropesim-<host>-<process>.tmp, or .ropesim-<host>-<process>-1.tmp
+// and so on where a process writes several at once.
 std::string temporary_prefix() {
     std::array<char, 65> host{};
     ::gethostname(host.data(), host.size() - 1);
@@ -62,7 +59,8 @@ pid_t process_of(std::string_view name, const std::string& prefix) {
     name.remove_suffix(temporary_suffix.size());
     pid_t process = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
-    return error == std::errc() && end == name.data() + name.size() ? process : 0;
+    const bool ends = end == name.data() + name.size() || *end == '-';
+    return error == std::errc() && ends ? process : 0;
 }
 
 }  // namespace
@@ -81,25 +79,87 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
     }
 }
 
+NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)) {
+    if (path_ == "-") {
+        descriptor_ = ::dup(STDOUT_FILENO);
+    } else if (!is_regular_or_missing(path_)) {
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        const std::string begin = temporary_prefix() + std::to_string(::getpid());
+        for (int i = 0; descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
+            std::string name = begin;
+            if (i > 0) name.append("-").append(std::to_string(i));
+            temporary_ = path_.parent_path() / name.append(temporary_suffix);
+            descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        }
+    }
+    if (descriptor_ < 0) fail("cannot write");
+}
+
+NewFile::~NewFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void NewFile::append(std::span<const std::uint8_t> bytes) {
+    unwritten_.insert(unwritten_.end(), bytes.begin(), bytes.end());
+    if (unwritten_.size() >= written_at_once) flush();
+}
+
+void NewFile::append(std::string_view text) {
+    append(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void NewFile::flush() {
+    for (std::span<const std::uint8_t> rest = unwritten_; !rest.empty();) {
+        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("cannot write");
+        rest = rest.subspan(static_cast<std::size_t>(written));
+    }
+    unwritten_.clear();
+}
+
+void NewFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("cannot write");
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+        offset += static_cast<std::uint64_t>(written);
+    }
+}
+
+void NewFile::read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) fail("cannot read back");
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+        offset += static_cast<std::uint64_t>(count);
+    }
+}
+
+void NewFile::set_size(std::uint64_t size) {
+    if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail("cannot write");
+}
+
+void NewFile::finish() {
+    flush();
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write");
+    if (temporary_.empty()) return;
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot write");
+    temporary_.clear();
+}
+
+void NewFile::fail(const char* what) const {
+    ropesim::fail(path_ == "-" ? "standard output" : path_, what);
+}
+
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {  // a pipe, a terminal, /dev/null
-        Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (file.number() < 0) fail(path, "cannot write");
-        return write_all(file, bytes, path);
-    }
-    const std::filesystem::path temporary =
-        path.parent_path() /
-        (temporary_prefix() + std::to_string(::getpid()) + std::string(temporary_suffix));
-    try {
-        Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-        if (file.number() < 0) fail(path, "cannot write");
-        write_all(file, bytes, path);
-        if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot write");
-    } catch (...) {
-        ::unlink(temporary.c_str());
-        throw;
-    }
+    NewFile file(path);
+    file.append(bytes);
+    file.finish();
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {

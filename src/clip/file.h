@@ -11,9 +11,39 @@ namespace ropesim {
 // The bytes of a file, a pipe or a device. Throws std::runtime_error, "<path>: why".
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
 
-// Writes a file so that it appears whole or not at all, also when the process is killed: to a temporary
-// name in the same folder, then renamed over whatever was there. What is no regular file (a pipe, a
-// terminal) is written directly. Throws std::runtime_error, "<path>: why", and leaves nothing behind.
+// A file that is being written: it appears whole when it is finished, or not at all, also when the process
+// is killed. Until then it has a temporary name in the same folder; then it is renamed over whatever was
+// there. What is no regular file (a pipe, a terminal) is written directly, and "-" is standard output.
+// Everything throws std::runtime_error, "<path>: why".
+class NewFile {
+  public:
+    explicit NewFile(std::filesystem::path path);
+    ~NewFile();  // takes away what was not finished
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    // Behind what was appended before.
+    void append(std::span<const std::uint8_t> bytes);
+    void append(std::string_view text);
+
+    // At an offset from the file's beginning, of a regular file.
+    void write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes);
+    void read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+    void set_size(std::uint64_t size);
+
+    void finish();
+
+  private:
+    void flush();
+    [[noreturn]] void fail(const char* what) const;
+
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;  // empty where it is written directly, and once it is finished
+    int descriptor_ = -1;
+    std::vector<std::uint8_t> unwritten_;
+};
+
+// Writes a whole file by NewFile.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 

@@ -17,12 +17,7 @@ std::optional<long> parse_count(std::string_view text) {
     return number;
 }
 
-struct Range {
-    long first;
-    long last;
-};
-
-Range parse_range(std::string_view text, long frames) {
+FrameList::Range parse_range(std::string_view text, long frames) {
     const std::size_t colon = text.find(':');
     const std::string_view before = text.substr(0, colon);
     const std::string_view after = colon == std::string_view::npos ? before : text.substr(colon + 1);
@@ -42,7 +37,53 @@ Range parse_range(std::string_view text, long frames) {
 constexpr std::string_view frame_prefix = "frame_";
 constexpr std::string_view frame_suffix = ".png";
 
+std::vector<FrameList::Range> ranges_of(const std::vector<long>& numbers) {
+    std::vector<FrameList::Range> ranges;
+    for (const long number : numbers) ranges.push_back({number, number});
+    return ranges;
+}
+
 }  // namespace
+
+FrameList::Iterator::Iterator(const Range* range, const Range* end)
+    : range_(range), end_(end), frame_(range == end ? 0 : range->first) {}
+
+FrameList::Iterator& FrameList::Iterator::operator++() {
+    if (frame_ < range_->last)
+        ++frame_;
+    else
+        *this = Iterator(range_ + 1, end_);
+    return *this;
+}
+
+FrameList::Iterator FrameList::Iterator::operator++(int) {
+    const Iterator before = *this;
+    ++*this;
+    return before;
+}
+
+FrameList::FrameList(std::vector<Range> ranges) {
+    std::ranges::sort(ranges, {}, &Range::first);
+    for (const Range& range : ranges) {
+        if (!ranges_.empty() && range.first <= ranges_.back().last + 1)
+            ranges_.back().last = std::max(ranges_.back().last, range.last);
+        else
+            ranges_.push_back(range);
+    }
+}
+
+FrameList::FrameList(const std::vector<long>& numbers) : FrameList(ranges_of(numbers)) {}
+
+std::size_t FrameList::size() const {
+    std::size_t size = 0;
+    for (const Range& range : ranges_) size += static_cast<std::size_t>(range.last - range.first + 1);
+    return size;
+}
+
+bool FrameList::contains(long frame) const {
+    const auto next = std::ranges::upper_bound(ranges_, frame, {}, &Range::first);
+    return next != ranges_.begin() && frame <= std::prev(next)->last;
+}
 
 Shard parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
@@ -54,31 +95,23 @@ Shard parse_shard(std::string_view text) {
     throw std::runtime_error("shard '" + std::string(text) + "' is not I/N with 0 <= I < N, such as 0/4");
 }
 
-std::vector<long> parse_frames(std::string_view text, long frames) {
+FrameList parse_frames(std::string_view text, long frames) {
     if (text.empty()) text = "0:";
-    std::vector<Range> ranges;
+    std::vector<FrameList::Range> ranges;
     for (std::size_t begin = 0; begin != std::string_view::npos;) {
         const std::size_t comma = text.find(',', begin);
         ranges.push_back(parse_range(text.substr(begin, comma - begin), frames));
         begin = comma == std::string_view::npos ? comma : comma + 1;
     }
-    std::vector<long> selected;
-    for (const Range& range : ranges)
-        for (long frame = range.first; frame <= range.last; ++frame) selected.push_back(frame);
-    std::sort(selected.begin(), selected.end());
-    selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
-    return selected;
+    return FrameList(std::move(ranges));
 }
 
-std::string to_string(const std::vector<long>& frames) {
+std::string to_string(const FrameList& frames) {
     std::string text;
-    for (std::size_t i = 0; i < frames.size();) {
-        std::size_t end = i + 1;
-        while (end < frames.size() && frames[end] == frames[end - 1] + 1) ++end;
+    for (const auto& [first, last] : frames.ranges()) {
         if (!text.empty()) text += ',';
-        text += std::to_string(frames[i]);
-        if (end > i + 1) text += ':' + std::to_string(frames[end - 1]);
-        i = end;
+        text += std::to_string(first);
+        if (last > first) text += ':' + std::to_string(last);
     }
     return text;
 }
@@ -90,7 +123,7 @@ std::string frame_name(long frame, long frames) {
            std::string(frame_suffix);
 }
 
-std::vector<long> frames_in(const std::filesystem::path& folder) {
+FrameList frames_in(const std::filesystem::path& folder) {
     std::vector<long> frames;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
@@ -100,7 +133,6 @@ std::vector<long> frames_in(const std::filesystem::path& folder) {
         number.remove_suffix(std::min(number.size(), frame_suffix.size()));
         if (const auto frame = parse_count(number)) frames.push_back(*frame);
     }
-    std::sort(frames.begin(), frames.end());
     return frames;
 }
 

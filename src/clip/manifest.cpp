@@ -1,6 +1,5 @@
 #include "clip/manifest.h"
 
-#include "clip/frames.h"
 #include "simulation/diagnostics.h"
 
 #include <nlohmann/json.hpp>
@@ -28,7 +27,7 @@ std::string methods_text(const Scene& scene) {
     return text;
 }
 
-nlohmann::ordered_json rope_json(const Scene& scene, const Run& run, const Trajectory* trajectory) {
+nlohmann::ordered_json rope_json(const Scene& scene, const Run& run) {
     nlohmann::ordered_json rope;
     rope["name"] = run.description->name;
     rope["method"] = run.method->name;
@@ -38,15 +37,19 @@ nlohmann::ordered_json rope_json(const Scene& scene, const Run& run, const Traje
         fewest_stable_steps(run.rope, *run.method, scene.frame_time, run.stepping.damping_factor);
     if (fewest) rope["fewest_stable_steps"] = *fewest;
     rope["greatest_frequency"] = greatest_frequency(run.rope);
-    if (!trajectory) return rope;
-    rope["largest_stretch"] = trajectory->largest_stretch();
-    rope["largest_tension"] = trajectory->largest_tension();
-    rope["energy_drift"] = trajectory->energy_drift();
-    if (trajectory->diverged) {
-        rope["diverged_in_frame"] = *trajectory->diverged;
-        rope["divergence"] = divergence(scene, run, *trajectory);
-    }
     return rope;
+}
+
+void add_motion(const Scene& scene, const Simulation& simulation, std::size_t i,
+                nlohmann::ordered_json& rope) {
+    const Summary& summary = simulation.summaries()[i];
+    rope["largest_stretch"] = summary.largest_stretch;
+    rope["largest_tension"] = summary.largest_tension;
+    rope["energy_drift"] = summary.energy_drift;
+    if (const auto frame = simulation.diverged(i)) {
+        rope["diverged_in_frame"] = *frame;
+        rope["divergence"] = divergence(scene, simulation.runs()[i], *frame);
+    }
 }
 
 std::string text_of(const Texts& texts, const char* key) {
@@ -90,9 +93,8 @@ std::string positions_digest_of(const Texts& texts) {
     return text_of(texts, positions_key);
 }
 
-std::string clip_json(const Scene& scene, const std::vector<Run>& runs,
-                      const std::vector<Trajectory>& trajectories, const std::string& positions_digest,
-                      const std::vector<long>& frames, const std::string& renderer) {
+std::string clip_json(const Scene& scene, const Simulation& simulation, const std::string& positions_digest,
+                      const FrameList& frames, const std::string& renderer) {
     const std::string toml = to_toml(scene);
     nlohmann::ordered_json json;
     json["version"] = version();
@@ -101,8 +103,10 @@ std::string clip_json(const Scene& scene, const std::vector<Run>& runs,
     json["digest"] = digest(toml);
     if (!positions_digest.empty()) json["positions"] = positions_digest;
     json["ropes"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        json["ropes"].push_back(rope_json(scene, runs[i], trajectories.empty() ? nullptr : &trajectories[i]));
+    for (std::size_t i = 0; i < simulation.runs().size(); ++i) {
+        json["ropes"].push_back(rope_json(scene, simulation.runs()[i]));
+        if (positions_digest.empty()) add_motion(scene, simulation, i, json["ropes"].back());
+    }
     json["scene"] = toml;
     return json.dump(2) + "\n";
 }

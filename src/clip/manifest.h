@@ -1,6 +1,7 @@
 #pragma once
 
-#include "clip/run.h"
+#include "clip/frames.h"
+#include "clip/simulation.h"
 #include "image/png.h"
 
 #include <string>
@@ -23,11 +24,10 @@ std::string frame_of(const Texts& texts);
 // The digest of the positions file that the frame was drawn from; "" where the scene was simulated.
 std::string positions_digest_of(const Texts& texts);
 
-// clip.json: the scene as rendered, versions, the renderer, and per rope the method, its steps, where it
-// diverged and why, its largest stretch and energy drift; `trajectories` is empty where positions were given.
-std::string clip_json(const Scene& scene, const std::vector<Run>& runs,
-                      const std::vector<Trajectory>& trajectories, const std::string& positions_digest,
-                      const std::vector<long>& frames, const std::string& renderer);
+// clip.json: the scene as rendered, versions, the renderer, and per rope the method, its steps, and, unless
+// positions were given, where it diverged and why, its largest stretch and energy drift.
+std::string clip_json(const Scene& scene, const Simulation& simulation, const std::string& positions_digest,
+                      const FrameList& frames, const std::string& renderer);
 
 // 128 bits of the bytes as 32 hexadecimal digits (XXH3).
 std::string digest(std::string_view bytes);

@@ -14,7 +14,6 @@
 namespace ropesim {
 namespace {
 
-constexpr std::string_view csv_header = "frame,rope,node,x,y";
 constexpr std::string_view npy_magic = "\x93NUMPY\x01";  // and a zero byte: version 1.0
 
 static_assert(std::endian::native == std::endian::little, "positions are written as little-endian doubles");
@@ -31,7 +30,8 @@ class CsvReader {
     }
 
     void expect_header() {
-        if (take_line() != csv_header) fail("expected the line " + std::string(csv_header));
+        if (take_line() != positions_csv_header)
+            fail("expected the line " + std::string(positions_csv_header));
         ++line_;
     }
 
@@ -67,7 +67,7 @@ class CsvReader {
     std::string_view take_until(char separator) {
         const std::size_t end = rest_.find_first_of(std::array<char, 2>{separator, '\n'}.data(), 0, 2);
         if (end == std::string_view::npos || rest_[end] != separator)
-            fail("expected " + std::string(csv_header));
+            fail("expected " + std::string(positions_csv_header));
         const std::string_view field = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         return field;
@@ -184,47 +184,25 @@ Positions parse_npy(const Scene& scene, std::string_view bytes, std::string_view
 
 }  // namespace
 
-std::string to_csv(const Scene& scene, const Positions& positions) {
-    std::string text = std::string(csv_header) + '\n';
-    for (const auto& [frame, ropes] : positions) {
-        for (std::size_t rope = 0; rope < ropes.size(); ++rope) {
-            const std::string begin = std::to_string(frame) + ',' + quoted(scene.ropes[rope].name) + ',';
-            for (Eigen::Index node = 0; node < ropes[rope].rows(); ++node) {
-                text += begin + std::to_string(node) + ',';
-                append_number(text, ropes[rope](node, 0));
-                text += ',';
-                append_number(text, ropes[rope](node, 1));
-                text += '\n';
-            }
+std::string csv_lines(const Scene& scene, long frame, const std::vector<Points>& positions) {
+    std::string text;
+    for (std::size_t rope = 0; rope < positions.size(); ++rope) {
+        const std::string begin = std::to_string(frame) + ',' + quoted(scene.ropes[rope].name) + ',';
+        for (Eigen::Index node = 0; node < positions[rope].rows(); ++node) {
+            text += begin + std::to_string(node) + ',';
+            append_number(text, positions[rope](node, 0));
+            text += ',';
+            append_number(text, positions[rope](node, 1));
+            text += '\n';
         }
     }
     return text;
 }
 
-std::string to_npy(const Scene& scene, const Positions& positions) {
-    std::string bytes;
-    for (std::size_t rope = 0; rope < scene.ropes.size(); ++rope) {
-        std::string numbers;
-        long frames = 0;
-        for (const auto& [frame, ropes] : positions) {
-            if (ropes[rope].rows() == 0) break;
-            if (frame != frames++)
-                throw std::runtime_error("a .npy file holds every frame from 0 on; write .csv for some");
-            const Eigen::Array<double, Eigen::Dynamic, 2, Eigen::RowMajor> rows = ropes[rope];
-            numbers.append(reinterpret_cast<const char*>(rows.data()),
-                           static_cast<std::size_t>(rows.size()) * sizeof(double));
-        }
-        std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(frames) +
-                             ", " + std::to_string(scene.ropes[rope].nodes) + ", 2), }";
-        header.append(63 - (header.size() + 10) % 64, ' ');  // the numbers begin at a multiple of 64
-        header += '\n';
-        bytes += npy_magic;
-        bytes += '\0';
-        bytes += static_cast<char>(header.size() & 0xff);
-        bytes += static_cast<char>(header.size() >> 8);
-        bytes += header + numbers;
-    }
-    return bytes;
+std::string to_csv(const Scene& scene, const Positions& positions) {
+    std::string text = std::string(positions_csv_header) + '\n';
+    for (const auto& [frame, ropes] : positions) text += csv_lines(scene, frame, ropes);
+    return text;
 }
 
 Positions parse_positions(const Scene& scene, std::string_view bytes, std::string_view name) {

@@ -15,16 +15,16 @@ namespace ropesim {
 // has no rows in a frame has diverged before.
 using Positions = std::map<long, std::vector<Points>>;
 
-// CSV: a line "frame,rope,node,x,y", then one line per mass with 17 significant digits, so that reading it
-// back gives the same doubles. Names with commas or quotes are quoted as in RFC 4180.
+// CSV: this line, then one line per mass with 17 significant digits, so that reading it back gives the same
+// doubles. Names with commas or quotes are quoted as in RFC 4180.
+inline constexpr std::string_view positions_csv_header = "frame,rope,node,x,y";
+std::string csv_lines(const Scene& scene, long frame, const std::vector<Points>& positions);
 std::string to_csv(const Scene& scene, const Positions& positions);
 
-// NumPy's format: one array per rope, one after the other in one file (frames × nodes × 2, float64, as
-// repeated numpy.load calls on the open file read them); frames from 0 on.
-std::string to_npy(const Scene& scene, const Positions& positions);
-
-// Reads either format. Throws std::runtime_error, "<name>:<line>: what was found, what was expected", where
-// the file does not fit the scene's ropes or a number is not finite.
+// Reads CSV, or NumPy's format: one array per rope, one after the other in one file (frames × nodes × 2,
+// float64, as repeated numpy.load calls on the open file read them); frames from 0 on. Throws
+// std::runtime_error, "<name>:<line>: what was found, what was expected", where the file does not fit the
+// scene's ropes or a number is not finite.
 Positions parse_positions(const Scene& scene, std::string_view bytes, std::string_view name);
 
 }  // namespace ropesim

@@ -13,10 +13,14 @@ Progress::~Progress() {
     if (shown_) std::fputs("\r\x1b[K", stderr);
 }
 
-void Progress::frame_done() {
-    ++done_;
+void Progress::frame_kept() {
+    --frames_;
+}
+
+void Progress::frames_done(long frames) {
+    done_ += frames;
     const Clock::time_point now = Clock::now();
-    if (!shown_ || now - last_shown_ < std::chrono::milliseconds(100)) return;
+    if (!shown_ || done_ == 0 || now - last_shown_ < std::chrono::milliseconds(100)) return;
     last_shown_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double rate = static_cast<double>(done_) / seconds;

@@ -13,7 +13,8 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void frame_done();
+    void frames_done(long frames);
+    void frame_kept();  // it need not be done
 
   private:
     using Clock = std::chrono::steady_clock;

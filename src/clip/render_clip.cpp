@@ -1,15 +1,16 @@
 #include "clip/render_clip.h"
 
 #include "clip/file.h"
+#include "clip/helpers.h"
 #include "clip/interrupt.h"
-#include "clip/jobs.h"
 #include "clip/manifest.h"
 #include "clip/picture.h"
 #include "clip/progress.h"
 #include "image/png.h"
 
 #include <algorithm>
-#include <functional>
+#include <memory>
+#include <ranges>
 #include <stdexcept>
 #include <system_error>
 
@@ -18,19 +19,14 @@ namespace {
 
 constexpr const char* manifest_name = "clip.json";
 
-bool in_shard(long frame, const Shard& shard) {
-    return frame % shard.count == shard.index;
-}
-
-std::vector<long> frames_of_shard(const std::vector<long>& frames, const Shard& shard) {
-    std::vector<long> result;
-    std::copy_if(frames.begin(), frames.end(), std::back_inserter(result),
-                 [&](long f) { return in_shard(f, shard); });
-    return result;
-}
-
 std::filesystem::path frame_path(const Scene& scene, const ClipOptions& options, long frame) {
     return options.folder / frame_name(frame, scene.frames);
+}
+
+FrameList in_shard(const FrameList& frames, const Shard& shard) {
+    std::vector<long> result;
+    std::ranges::copy_if(frames, std::back_inserter(result), [&](long f) { return shard.contains(f); });
+    return result;
 }
 
 // Whether the file is whole and was made by this very scene, version and frame.
@@ -43,24 +39,38 @@ bool is_made(const std::filesystem::path& path, const Texts& texts) {
     }
 }
 
-void write_frames(const Scene& scene, const Positions& positions, const ClipOptions& options,
-                  const std::vector<long>& frames, Renderer& renderer,
-                  const std::function<void()>& frame_done) {
-    Texts texts = frame_texts(scene, options.positions_digest);
-    for (const long frame : frames) {
-        Interrupts::check();
-        const Image& image = renderer.draw(polylines(scene, positions.at(frame)));
-        set_frame(texts, frame);
-        write_file(frame_path(scene, options, frame), encode_png(image, texts));
-        frame_done();
-    }
-}
+// Draws frames and writes them; has an OpenGL context from the first on.
+class FrameWriter {
+  public:
+    FrameWriter(const Scene& scene, const ClipOptions& options)
+        : scene_(scene), options_(options), texts_(frame_texts(scene, options.positions_digest)) {}
 
-// Splits the frames so that every job has its share of them, whatever their numbers.
-std::vector<long> share(const std::vector<long>& frames, std::size_t job, std::size_t jobs) {
-    std::vector<long> result;
-    for (std::size_t i = job; i < frames.size(); i += jobs) result.push_back(frames[i]);
-    return result;
+    void write(long frame, const std::vector<Points>& positions) {
+        const Image& image = renderer().draw(polylines(scene_, positions));
+        set_frame(texts_, frame);
+        write_file(frame_path(scene_, options_, frame), encode_png(image, texts_));
+    }
+
+    // Whether the frame is there, whole, and made by this very scene and version.
+    bool has_written(long frame) {
+        set_frame(texts_, frame);
+        return is_made(frame_path(scene_, options_, frame), texts_);
+    }
+
+    Renderer& renderer() {
+        if (!renderer_) renderer_ = make_renderer(scene_);
+        return *renderer_;
+    }
+
+  private:
+    const Scene& scene_;
+    const ClipOptions& options_;
+    Texts texts_;
+    std::unique_ptr<Renderer> renderer_;
+};
+
+void advance_to(long frame, Simulation& simulation) {
+    for (; simulation.frame() < frame; simulation.advance()) Interrupts::check();
 }
 
 // What stands in the folder beside the frames that are asked for, and is not of this clip.
@@ -72,8 +82,7 @@ std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& option
         set_frame(texts, frame);
         if (frame >= scene.frames)
             beyond.push_back(frame);
-        else if (!std::binary_search(options.frames.begin(), options.frames.end(), frame) &&
-                 !is_made(frame_path(scene, options, frame), texts))
+        else if (!options.frames.contains(frame) && !is_made(frame_path(scene, options, frame), texts))
             of_others.push_back(frame);
     }
     const std::string begin = options.folder.string() + " also holds frames ";
@@ -96,7 +105,7 @@ void prepare_folder(const ClipOptions& options) {
     if (!std::filesystem::is_directory(options.folder))
         throw std::runtime_error(options.folder.string() + ": expected a folder for the frames");
     remove_stale_temporaries(options.folder);
-    const auto there = frames_of_shard(frames_in(options.folder), options.shard);
+    const FrameList there = in_shard(frames_in(options.folder), options.shard);
     if (options.existing == Existing::refuse && !there.empty())
         throw std::runtime_error(
             options.folder.string() + " already holds frames (" + to_string(there) +
@@ -106,38 +115,35 @@ void prepare_folder(const ClipOptions& options) {
     if (error) throw std::runtime_error(options.folder.string() + ": cannot write: " + error.message());
 }
 
-ClipResult render_clip(const Scene& scene, const std::vector<Run>& runs,
-                       const std::vector<Trajectory>& trajectories, const Positions& positions,
+ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,
                        const ClipOptions& options) {
     ClipResult result;
     result.notes = leftovers(scene, options);
-    std::vector<long> frames = frames_of_shard(options.frames, options.shard);
-    if (options.existing == Existing::resume) {
-        Texts texts = frame_texts(scene, options.positions_digest);
-        result.kept = static_cast<long>(std::erase_if(frames, [&](long frame) {
-            set_frame(texts, frame);
-            return is_made(frame_path(scene, options, frame), texts);
-        }));
-    }
-    result.written = static_cast<long>(frames.size());
-
     const Interrupts interrupts;
-    Progress progress(result.written, options.show_progress);
-    const auto work = [&](int job, const std::function<void()>& frame_done) {
-        const auto jobs = static_cast<std::size_t>(options.jobs);
-        const std::unique_ptr<Renderer> renderer = make_renderer(scene);
-        write_frames(scene, positions, options, share(frames, static_cast<std::size_t>(job), jobs), *renderer,
-                     frame_done);
-        if (job == 0)
-            write_file(options.folder / manifest_name,
-                       clip_json(scene, runs, trajectories, options.positions_digest, options.frames,
-                                 renderer->description()));
-    };
-    const auto frame_done = [&] { progress.frame_done(); };
-    if (options.jobs > 1)
-        in_processes(options.jobs, work, frame_done);
-    else
-        work(0, frame_done);
+    FrameWriter writer(scene, options);
+    Helpers helpers(options.jobs - 1, [&](long frame, const auto& at) { writer.write(frame, at); });
+    const auto wanted = [&](long frame) { return options.shard.contains(frame); };
+    Progress progress(std::ranges::count_if(options.frames, wanted), options.show_progress);
+    for (const long frame : options.frames | std::views::filter(wanted)) {
+        Interrupts::check();
+        if (options.existing == Existing::resume && writer.has_written(frame)) {
+            ++result.kept;
+            progress.frame_kept();
+            continue;
+        }
+        if (!given) advance_to(frame, simulation);
+        const std::vector<Points>& positions = given ? given->at(frame) : simulation.positions();
+        if (!helpers.take(frame, positions)) {
+            writer.write(frame, positions);
+            progress.frames_done(1);
+        }
+        progress.frames_done(helpers.drawn());
+        ++result.written;
+    }
+    if (!given) advance_to(scene.frames - 1, simulation);
+    helpers.finish();
+    write_file(options.folder / manifest_name, clip_json(scene, simulation, options.positions_digest,
+                                                         options.frames, writer.renderer().description()));
     return result;
 }
 

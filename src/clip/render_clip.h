@@ -1,7 +1,8 @@
 #pragma once
 
 #include "clip/frames.h"
-#include "clip/run.h"
+#include "clip/positions.h"
+#include "clip/simulation.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -19,9 +20,9 @@ enum class Existing {
 
 struct ClipOptions {
     std::filesystem::path folder = "frames";
-    std::vector<long> frames;  // which of the scene's; sorted, each once
-    Shard shard;               // of those, the ones whose number falls to this shard
-    int jobs = 1;              // processes
+    FrameList frames;  // which of the scene's
+    Shard shard;       // of those, the ones whose number falls to this shard
+    int jobs = 1;      // processes
     Existing existing = Existing::refuse;
     bool show_progress = false;
     std::string positions_digest;  // of the file that the positions came from, if any
@@ -37,10 +38,11 @@ struct ClipResult {
 // parent is missing, it is no folder, or it holds frames and `existing` says refuse.
 void prepare_folder(const ClipOptions& options);
 
-// Renders the frames into the folder, then writes clip.json. Throws std::runtime_error (the disk is full, no
-// OpenGL context, ...) and Interrupted; what is there then is whole, and `resume` goes on from it.
-ClipResult render_clip(const Scene& scene, const std::vector<Run>& runs,
-                       const std::vector<Trajectory>& trajectories, const Positions& positions,
+// Renders the frames into the folder, where the simulation (in frame 0) takes the ropes or where `given` says
+// they are, then writes clip.json, which needs the simulation to go to the scene's last frame. Throws
+// std::runtime_error (the disk is full, no OpenGL context, ...) and Interrupted; what is there then is whole,
+// and `resume` goes on from it.
+ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,
                        const ClipOptions& options);
 
 }  // namespace ropesim

@@ -1,6 +1,5 @@
 #include "clip/run.h"
 
-#include "clip/csv.h"
 #include "simulation/diagnostics.h"
 
 #include <array>
@@ -61,16 +60,15 @@ std::vector<std::string> stability_warnings(const Scene& scene, const std::vecto
     return warnings;
 }
 
-std::string divergence(const Scene& scene, const Run& run, const Trajectory& trajectory) {
-    if (!trajectory.diverged) return "";
-    return title(run) + " diverged in frame " + std::to_string(*trajectory.diverged) + ": at " +
+std::string divergence(const Scene& scene, const Run& run, long frame) {
+    return title(run) + " diverged in frame " + std::to_string(frame) + ": at " +
            std::to_string(run.stepping.steps) + " steps per frame it is " +
            (stable(run.rope, *run.method, run.stepping)
                 ? "stable to linear theory, but the motion is too violent for it"
                 : "unstable" + excess(run) + "; " + remedy(scene, run));
 }
 
-Positions positions(const std::vector<Trajectory>& trajectories, const std::vector<long>& frames) {
+Positions positions(const std::vector<Trajectory>& trajectories, const FrameList& frames) {
     Positions positions;
     for (const long frame : frames) {
         std::vector<Points>& ropes = positions[frame];
@@ -80,26 +78,6 @@ Positions positions(const std::vector<Trajectory>& trajectories, const std::vect
         }
     }
     return positions;
-}
-
-std::string diagnostics_csv(const Scene& scene, const std::vector<Trajectory>& trajectories,
-                            const std::vector<long>& frames) {
-    std::string text = "frame,rope,kinetic,spring,gravity,largest_stretch,largest_tension,length\n";
-    for (const long frame : frames) {
-        for (std::size_t rope = 0; rope < trajectories.size(); ++rope) {
-            const auto index = static_cast<std::size_t>(frame);
-            if (index >= trajectories[rope].diagnostics.size()) continue;
-            const Diagnostics& each = trajectories[rope].diagnostics[index];
-            text += std::to_string(frame) + ',' + quoted(scene.ropes[rope].name);
-            for (const double number : {each.energy.kinetic, each.energy.spring, each.energy.gravity,
-                                        each.largest_stretch, each.largest_tension, each.length}) {
-                text += ',';
-                append_number(text, number);
-            }
-            text += '\n';
-        }
-    }
-    return text;
 }
 
 }  // namespace ropesim

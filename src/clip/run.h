@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/frames.h"
 #include "clip/positions.h"
 #include "scene/scene.h"
 #include "simulation/simulate.h"
@@ -20,20 +21,15 @@ struct Run {
 // One run per rope, in the scene's order; they point into the scene.
 std::vector<Run> runs(const Scene& scene);
 
-// The trajectories of the runs, over all frames of the scene.
-std::vector<Trajectory> simulate(const Scene& scene, const std::vector<Run>& runs);
-
 // Sentences for ropes whose steps are not stable: what is wrong and how many steps per frame are right.
 std::vector<std::string> stability_warnings(const Scene& scene, const std::vector<Run>& runs);
 
-// Why a rope diverged, or "" where it did not.
-std::string divergence(const Scene& scene, const Run& run, const Trajectory& trajectory);
+// Why a rope diverged in that frame.
+std::string divergence(const Scene& scene, const Run& run, long frame);
 
-// CSV of the frames that are asked for: energies, largest stretch and tension of a link, length.
-std::string diagnostics_csv(const Scene& scene, const std::vector<Trajectory>& trajectories,
-                            const std::vector<long>& frames);
-
-// The frames that are asked for (sorted, each once).
-Positions positions(const std::vector<Trajectory>& trajectories, const std::vector<long>& frames);
+// The trajectories of the runs over all frames of the scene, and of them the frames that are asked for: all
+// in memory, where a Simulation would hold one frame.
+std::vector<Trajectory> simulate(const Scene& scene, const std::vector<Run>& runs);
+Positions positions(const std::vector<Trajectory>& trajectories, const FrameList& frames);
 
 }  // namespace ropesim

@@ -1,7 +1,6 @@
 #include "clip/video.h"
 
 #include "clip/file.h"
-#include "clip/frames.h"
 #include "clip/interrupt.h"
 #include "clip/process.h"
 
@@ -30,21 +29,20 @@ std::size_t counted_frames(const std::string& file) {
 
 }  // namespace
 
-void check_video(const std::filesystem::path& video, const std::vector<long>& frames) {
+void check_video(const std::filesystem::path& video, const FrameList& frames) {
     if (video.extension() != ".mp4" && video.extension() != ".gif")
         throw std::runtime_error("video '" + video.string() + "': expected a name that ends in .mp4 or .gif");
     for (const char* program : {"ffmpeg", "ffprobe"})
         if (!is_installed(program))
             throw std::runtime_error(std::string("video needs ") + program +
                                      ", which is not installed; try: apt-get install ffmpeg");
-    for (std::size_t i = 1; i < frames.size(); ++i)
-        if (frames[i] != frames[i - 1] + 1)
-            throw std::runtime_error("video needs frames without a gap; " + to_string(frames) +
-                                     " leaves out frame " + std::to_string(frames[i - 1] + 1));
+    if (frames.ranges().size() > 1)
+        throw std::runtime_error("video needs frames without a gap; " + to_string(frames) +
+                                 " leaves out frame " + std::to_string(frames.ranges()[0].last + 1));
 }
 
 void write_video(const std::filesystem::path& video, const std::filesystem::path& folder,
-                 const std::vector<long>& frames, long frames_of_clip) {
+                 const FrameList& frames, long frames_of_clip) {
     for (const long frame : frames)
         if (!std::filesystem::exists(folder / frame_name(frame, frames_of_clip)))
             throw std::runtime_error("video: " + (folder / frame_name(frame, frames_of_clip)).string() +

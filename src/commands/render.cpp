@@ -81,51 +81,36 @@ void set_size(Scene& scene, const std::string& text) {
     check_scene(scene);
 }
 
-// What there is to draw.
-struct Motion {
-    std::vector<Run> runs;
-    std::vector<Trajectory> trajectories;  // empty where positions were given
-    Positions positions;
-};
-
 void warn(bool quiet, const std::string& sentence) {
     if (!quiet) std::fprintf(stderr, "ropesim: %s\n", sentence.c_str());
 }
 
-Motion simulated(const Scene& scene, const std::vector<long>& frames, bool quiet) {
-    Motion motion;
-    motion.runs = runs(scene);
-    for (const std::string& warning : stability_warnings(scene, motion.runs))
-        warn(quiet, "warning: " + warning);
-    motion.trajectories = simulate(scene, motion.runs);
-    motion.positions = positions(motion.trajectories, frames);
-    return motion;
-}
-
 // Reads the file; takes every frame that it holds where none are asked for.
-Motion read_motion(const Scene& scene, const RenderOptions& options, ClipOptions& clip) {
+Positions read_positions(const Scene& scene, const RenderOptions& options, ClipOptions& clip) {
     const std::vector<std::uint8_t> bytes = read_file(options.positions);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    Motion motion{runs(scene), {}, parse_positions(scene, text, options.positions)};
+    Positions positions = parse_positions(scene, text, options.positions);
     clip.positions_digest = digest(text);
     if (options.frames.empty()) {
-        clip.frames.clear();
-        for (const auto& [frame, ropes] : motion.positions) clip.frames.push_back(frame);
+        std::vector<long> frames;
+        for (const auto& [frame, ropes] : positions) frames.push_back(frame);
+        clip.frames = frames;
     }
     for (const long frame : clip.frames)
-        if (!motion.positions.contains(frame))
+        if (!positions.contains(frame))
             throw std::runtime_error(options.positions + ": holds no frame " + std::to_string(frame));
-    return motion;
+    return positions;
 }
 
-bool report_divergence(const Scene& scene, const Motion& motion, bool quiet) {
-    bool diverged = false;
-    for (std::size_t i = 0; i < motion.trajectories.size(); ++i) {
-        if (!motion.trajectories[i].diverged) continue;
-        warn(quiet, divergence(scene, motion.runs[i], motion.trajectories[i]));
-        diverged = true;
+bool report_divergence(const Scene& scene, const Simulation& simulation, bool quiet) {
+    bool any = false;
+    for (std::size_t i = 0; i < simulation.runs().size(); ++i) {
+        const auto diverged = simulation.diverged(i);
+        if (!diverged) continue;
+        warn(quiet, divergence(scene, simulation.runs()[i], *diverged));
+        any = true;
     }
-    return diverged;
+    return any;
 }
 
 void report_done(const ClipResult& result, const std::string& folder, double seconds, bool quiet) {
@@ -160,14 +145,17 @@ int render(const RenderOptions& options) {
         throw CLI::ValidationError("--video",
                                    "a shard has only some of the frames; --resume --video makes it of all");
     const bool simulating = options.positions.empty();
-    Motion motion;
-    if (!simulating) motion = read_motion(scene, options, clip);
+    Positions given;
+    if (!simulating) given = read_positions(scene, options, clip);
     if (!options.video.empty()) check_video(options.video, clip.frames);
     prepare_folder(clip);
-    if (simulating) motion = simulated(scene, clip.frames, options.quiet);
-    const ClipResult result = render_clip(scene, motion.runs, motion.trajectories, motion.positions, clip);
+    Simulation simulation(scene);
+    if (simulating)
+        for (const std::string& warning : stability_warnings(scene, simulation.runs()))
+            warn(options.quiet, "warning: " + warning);
+    const ClipResult result = render_clip(scene, simulation, simulating ? nullptr : &given, clip);
     if (!options.video.empty()) write_video(options.video, clip.folder, clip.frames, scene.frames);
-    const bool diverged = report_divergence(scene, motion, options.quiet && !options.strict);
+    const bool diverged = report_divergence(scene, simulation, options.quiet && !options.strict);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report_done(result, options.folder, seconds, options.quiet);
     return diverged && options.strict ? 1 : 0;

@@ -1,6 +1,5 @@
 #include "commands/scene_options.h"
 
-#include "clip/frames.h"
 #include "study/plan.h"
 
 #include <CLI/CLI.hpp>
@@ -41,7 +40,7 @@ FoundScene open_planned_scene(const SceneOptions& options) {
     return found;
 }
 
-std::vector<long> selected_frames(const std::string& text, const Scene& scene) {
+FrameList selected_frames(const std::string& text, const Scene& scene) {
     try {
         return parse_frames(text, scene.frames);
     } catch (const std::runtime_error& error) {

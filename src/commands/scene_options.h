@@ -1,11 +1,11 @@
 #pragma once
 
 #include "clip/find_scene.h"
+#include "clip/frames.h"
 
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -31,6 +31,6 @@ FoundScene open_scene(const SceneOptions& options);
 FoundScene open_planned_scene(const SceneOptions& options);
 
 // The frames that `--frames` asks for. Throws CLI::ValidationError.
-std::vector<long> selected_frames(const std::string& text, const Scene& scene);
+FrameList selected_frames(const std::string& text, const Scene& scene);
 
 }  // namespace ropesim

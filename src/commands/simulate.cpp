@@ -1,5 +1,6 @@
 #include "clip/file.h"
-#include "clip/run.h"
+#include "clip/positions_writer.h"
+#include "clip/simulation.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
 #include "study/plan.h"
@@ -8,6 +9,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace ropesim {
 namespace {
@@ -58,22 +60,15 @@ void set_methods(Scene& scene, const std::vector<std::string>& methods) {
     check_scene(scene);
 }
 
-void write_positions(const std::string& file, const Scene& scene, const Positions& positions) {
-    const std::string bytes = file.ends_with(".npy") ? to_npy(scene, positions) : to_csv(scene, positions);
-    if (file != "-") return write_file(file, bytes);
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
-        throw std::runtime_error("cannot write to standard output");
-}
-
 void check_file(const char* option, const std::string& file) {
     if (file != "-" && !file.ends_with(".npy") && !file.ends_with(".csv"))
         throw CLI::ValidationError(option, "'" + file + "' is neither .csv, .npy nor -");
 }
 
-// Writes the true positions, as far as they can be believed, and prints how far the trajectories are from
+// Writes the true positions, as far as they can be believed, and prints how far the simulated ones are from
 // them.
-void compare_with_truth(const std::string& file, const Scene& scene,
-                        const std::vector<Trajectory>& trajectories, const std::vector<long>& frames) {
+void compare_with_truth(const std::string& file, const Scene& scene, const FrameList& frames) {
+    const std::vector<Trajectory> trajectories = simulate(scene, runs(scene));
     std::vector<Trajectory> truths;
     for (std::size_t i = 0; i < scene.ropes.size(); ++i) {
         const Problem rope = problem(scene, scene.ropes[i]);
@@ -86,7 +81,29 @@ void compare_with_truth(const std::string& file, const Scene& scene,
         believed.frames = std::move(true_motion.reference.frames);
         believed.frames.resize(static_cast<std::size_t>(true_motion.frames));
     }
-    write_positions(file, scene, positions(truths, frames));
+    const auto writer = make_positions_writer(file, scene, frames);
+    for (const auto& [frame, positions] : positions(truths, frames)) writer->add(frame, positions);
+    writer->finish();
+}
+
+// Writes the files of the frames that are asked for; goes on to the last frame of the scene.
+void write_frames(const SimulateOptions& options, const Scene& scene, const FrameList& frames,
+                  Simulation& simulation) {
+    const auto writer = make_positions_writer(options.file, scene, frames);
+    std::optional<NewFile> diagnostics;
+    if (!options.diagnostics.empty()) {
+        diagnostics.emplace(options.diagnostics);
+        diagnostics->append(std::string(diagnostics_csv_header) + '\n');
+    }
+    for (;; simulation.advance()) {
+        if (frames.contains(simulation.frame())) {
+            writer->add(simulation.frame(), simulation.positions());
+            if (diagnostics) diagnostics->append(diagnostics_csv_lines(simulation));
+        }
+        if (simulation.frame() == scene.frames - 1) break;
+    }
+    writer->finish();
+    if (diagnostics) diagnostics->finish();
 }
 
 int simulate(const SimulateOptions& options) {
@@ -95,19 +112,17 @@ int simulate(const SimulateOptions& options) {
     Scene scene = open_scene(options.scene).scene;
     set_methods(scene, options.methods);
     scene = with_planned_ropes(scene);
-    const std::vector<long> frames = selected_frames(options.frames, scene);
-    const std::vector<Run> scene_runs = runs(scene);
-    for (const std::string& warning : stability_warnings(scene, scene_runs))
+    const FrameList frames = selected_frames(options.frames, scene);
+    Simulation simulation(scene);
+    for (const std::string& warning : stability_warnings(scene, simulation.runs()))
         std::fprintf(stderr, "ropesim: warning: %s\n", warning.c_str());
-    const std::vector<Trajectory> trajectories = simulate(scene, scene_runs);
-    write_positions(options.file, scene, positions(trajectories, frames));
-    if (!options.truth.empty()) compare_with_truth(options.truth, scene, trajectories, frames);
-    if (!options.diagnostics.empty())
-        write_file(options.diagnostics, diagnostics_csv(scene, trajectories, frames));
+    write_frames(options, scene, frames, simulation);
+    if (!options.truth.empty()) compare_with_truth(options.truth, scene, frames);
     bool diverged = false;
-    for (std::size_t i = 0; i < trajectories.size(); ++i) {
-        if (!trajectories[i].diverged) continue;
-        std::fprintf(stderr, "ropesim: %s\n", divergence(scene, scene_runs[i], trajectories[i]).c_str());
+    for (std::size_t i = 0; i < simulation.runs().size(); ++i) {
+        const auto frame = simulation.diverged(i);
+        if (!frame) continue;
+        std::fprintf(stderr, "ropesim: %s\n", divergence(scene, simulation.runs()[i], *frame).c_str());
         diverged = true;
     }
     return diverged && options.strict ? 1 : 0;

@@ -13,24 +13,35 @@ bool has_diverged(const Rope& rope, const State& state) {
            longest_link(state.position) > sensible_length(rope, state.time);
 }
 
-double largest(const std::vector<Diagnostics>& frames, double Diagnostics::*member) {
-    double result = frames.empty() ? 0.0 : frames.front().*member;
-    for (const Diagnostics& frame : frames) result = std::max(result, frame.*member);
-    return result;
-}
-
 }  // namespace
 
-double Trajectory::largest_stretch() const {
-    return largest(diagnostics, &Diagnostics::largest_stretch);
+MovingRope::MovingRope(const Rope& rope, const Method& method, const Stepping& stepping)
+    : rope_(&rope), method_(&method), stepping_(stepping), state_(at_rest(rope)) {
+    enter(0);
 }
 
-double Trajectory::largest_tension() const {
-    return largest(diagnostics, &Diagnostics::largest_tension);
+void MovingRope::advance() {
+    if (diverged_) return;
+    method_->advance(*rope_, stepping_, state_, scratch_);
+    enter(frame_ + 1);
 }
 
-double Trajectory::energy_drift() const {
-    return diagnostics.empty() ? 0.0 : diagnostics.back().energy.total() - diagnostics.front().energy.total();
+void MovingRope::enter(long frame) {
+    frame_ = frame;
+    state_.time = static_cast<double>(frame) * (static_cast<double>(stepping_.steps) * stepping_.step_size);
+    if (has_diverged(*rope_, state_)) diverged_ = frame;
+}
+
+Diagnostics MovingRope::diagnostics() const {
+    return ropesim::diagnostics(*rope_, method_->model, state_);
+}
+
+void Summary::add(const Diagnostics& frame) {
+    const bool first = !first_energy;
+    if (first) first_energy = frame.energy.total();
+    largest_stretch = first ? frame.largest_stretch : std::max(largest_stretch, frame.largest_stretch);
+    largest_tension = first ? frame.largest_tension : std::max(largest_tension, frame.largest_tension);
+    energy_drift = frame.energy.total() - *first_energy;
 }
 
 double sensible_length(const Rope& rope, double time) {
@@ -40,21 +51,16 @@ double sensible_length(const Rope& rope, double time) {
 }
 
 Trajectory simulate(const Rope& rope, const Method& method, const Stepping& stepping, long frames) {
-    State state = at_rest(rope);
-    Scratch scratch;
+    MovingRope moving(rope, method, stepping);
     Trajectory trajectory;
-    const double frame_time = static_cast<double>(stepping.steps) * stepping.step_size;
     for (long frame = 0; frame < frames; ++frame) {
-        if (frame > 0) method.advance(rope, stepping, state, scratch);
-        state.time = static_cast<double>(frame) * frame_time;
-        if (has_diverged(rope, state)) {
-            trajectory.diverged = frame;
-            break;
-        }
-        trajectory.diagnostics.push_back(diagnostics(rope, method.model, state));
-        trajectory.frames.push_back(state.position);
+        if (frame > 0) moving.advance();
+        if (moving.diverged()) break;
+        trajectory.summary.add(moving.diagnostics());
+        trajectory.frames.push_back(moving.state().position);
     }
-    trajectory.cost = scratch.cost;
+    trajectory.diverged = moving.diverged();
+    trajectory.cost = moving.cost();
     return trajectory;
 }
 

@@ -8,20 +8,56 @@
 
 namespace ropesim {
 
-// How a rope moved. Where it diverged the frames end; nothing in it is ever non-finite.
-struct Trajectory {
-    std::vector<Points> frames;  // positions of frame 0 (the start), 1, 2, ...; world units, masses×2
-    std::vector<Diagnostics> diagnostics;  // of each frame
-    std::optional<long> diverged;          // the frame that the rope did not reach
-    Cost cost;                             // of all frames, that of a diverged one included
+// A rope on its way from frame to frame, from rest in frame 0 on. It has diverged where a coordinate is not
+// finite or a link longer than `sensible_length`. Looks at the rope and the method, which must outlive it.
+class MovingRope {
+  public:
+    MovingRope(const Rope& rope, const Method& method, const Stepping& stepping);
 
-    double largest_stretch() const;  // in any frame
-    double largest_tension() const;  // in any frame
-    double energy_drift() const;     // total energy of the last frame less that of the first
+    // Goes on to the next frame; a rope that has diverged stays where it is.
+    void advance();
+
+    // In the frame it is at; nothing in it is meant to be looked at where the rope has diverged.
+    const State& state() const { return state_; }
+    Diagnostics diagnostics() const;
+
+    // The frame that it did not reach.
+    std::optional<long> diverged() const { return diverged_; }
+
+    // Of all frames, that of a diverged one included.
+    const Cost& cost() const { return scratch_.cost; }
+
+  private:
+    void enter(long frame);
+
+    const Rope* rope_;
+    const Method* method_;
+    Stepping stepping_;
+    State state_;
+    Scratch scratch_;
+    long frame_ = 0;
+    std::optional<long> diverged_;
 };
 
-// Runs the rope from rest over `frames` frames, frame 0 included. A rope has diverged where a coordinate is
-// not finite or a link longer than `sensible_length`.
+// What a rope went through in the frames that were added, one after the other.
+struct Summary {
+    double largest_stretch = 0.0;        // in any frame
+    double largest_tension = 0.0;        // in any frame
+    std::optional<double> first_energy;  // total energy of the first frame; none where there is no frame
+    double energy_drift = 0.0;           // total energy of the last frame less that of the first
+
+    void add(const Diagnostics& frame);
+};
+
+// How a rope moved. Where it diverged the frames end; nothing in it is ever non-finite.
+struct Trajectory {
+    std::vector<Points> frames;    // positions of frame 0 (the start), 1, 2, ...; world units, masses×2
+    Summary summary;               // of these frames
+    std::optional<long> diverged;  // the frame that the rope did not reach
+    Cost cost;                     // of all frames, that of a diverged one included
+};
+
+// Runs the rope from rest over `frames` frames, frame 0 included.
 Trajectory simulate(const Rope& rope, const Method& method, const Stepping& stepping, long frames);
 
 // A length that no link comes near in a stable run, by time t: a thousand times the rope's length and the

@@ -117,9 +117,7 @@ std::vector<Contestant> contestants(const Scene& scene, const Positions& motion,
 void race(const std::filesystem::path& folder) {
     Scene scene = parse_scene(builtin_scenes().front().toml, "seed");
     scene.size = {1280, 720};
-    std::vector<long> all(static_cast<std::size_t>(scene.frames));
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<long>(i);
-    const Positions motion = positions(simulate(scene, runs(scene)), all);
+    const Positions motion = positions(simulate(scene, runs(scene)), parse_frames("", scene.frames));
     const auto renderer = make_renderer(scene);
     cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, scene.size[0], scene.size[1]);
     cairo_t* cairo = cairo_create(surface);

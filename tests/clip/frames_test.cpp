@@ -21,6 +21,26 @@ std::string refusal(const std::string& text, long frames) {
     }
 }
 
+TEST(FrameList, IsEachNumberOnceAndAscending) {
+    EXPECT_THAT(FrameList({7, 3, 4, 3, 9, 8}), ElementsAre(3, 4, 7, 8, 9));
+    EXPECT_THAT(FrameList(std::vector<FrameList::Range>{{5, 9}, {0, 2}, {6, 7}, {3, 3}}),
+                ElementsAre(0, 1, 2, 3, 5, 6, 7, 8, 9));
+    EXPECT_THAT(FrameList(), IsEmpty());
+}
+
+TEST(FrameList, KnowsWhatItHolds) {
+    const FrameList frames{2, 3, 5};
+    EXPECT_EQ(frames.size(), 3u);
+    EXPECT_EQ(frames.back(), 5);
+    for (const long frame : {2, 3, 5}) EXPECT_TRUE(frames.contains(frame));
+    for (const long frame : {1, 4, 6}) EXPECT_FALSE(frames.contains(frame));
+}
+
+TEST(FrameList, KeepsRangesAndNotNumbers) {
+    EXPECT_EQ(parse_frames("0:4,5:9,11:", 10'000'000).ranges(),
+              (std::vector<FrameList::Range>{{0, 9}, {11, 9'999'999}}));
+}
+
 TEST(ParseFrames, IncludesBothEndsOfARange) {
     EXPECT_THAT(parse_frames("2,4,6:8", 20), ElementsAre(2, 4, 6, 7, 8));
     EXPECT_THAT(parse_frames("17:", 20), ElementsAre(17, 18, 19));
@@ -44,7 +64,7 @@ TEST(ParseFrames, RefusesWhatIsNoList) {
 }
 
 TEST(FramesToString, IsReadBackAsTheSame) {
-    const std::vector<long> frames{0, 1, 2, 5, 7, 8};
+    const FrameList frames{0, 1, 2, 5, 7, 8};
     EXPECT_EQ(to_string(frames), "0:2,5,7:8");
     EXPECT_EQ(parse_frames(to_string(frames), 9), frames);
 }

@@ -1,5 +1,9 @@
 #include "clip/positions.h"
 
+#include "clip/file.h"
+#include "clip/positions_writer.h"
+#include "clip/temporary_folder.h"
+
 #include <gmock/gmock.h>
 
 #include <cstring>
@@ -43,6 +47,20 @@ Positions random_positions(const Scene& scene, long frames) {
     return positions;
 }
 
+std::string written(const std::string& extension, const Scene& scene, const Positions& positions) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / ("positions" + extension);
+    const auto writer = make_positions_writer(file, scene, parse_frames("", positions.rbegin()->first + 1));
+    for (const auto& [frame, ropes] : positions) writer->add(frame, ropes);
+    writer->finish();
+    const std::vector<std::uint8_t> bytes = read_file(file);
+    return {bytes.begin(), bytes.end()};
+}
+
+std::string to_npy(const Scene& scene, const Positions& positions) {
+    return written(".npy", scene, positions);
+}
+
 void expect_same_bits(const Positions& expected, const Positions& actual) {
     ASSERT_EQ(expected.size(), actual.size());
     for (const auto& [frame, ropes] : expected) {
@@ -80,6 +98,12 @@ TEST(PositionsCsv, IsLinesOfFrameRopeNodeXY) {
     EXPECT_EQ(
         to_csv(scene, {{3, {points}}}),
         "frame,rope,node,x,y\n3,\"a,b\",0,0.10000000000000001,-2\n3,\"a,b\",1,1.0000000000000001e+300,0\n");
+}
+
+TEST(PositionsCsv, IsTheSameWrittenFrameByFrame) {
+    const Scene scene = scene_of({{"a,b", 2}, {"c", 3}});
+    const Positions positions = random_positions(scene, 5);
+    EXPECT_EQ(written(".csv", scene, positions), to_csv(scene, positions));
 }
 
 TEST(PositionsCsv, LeavesOutARopeThatDiverged) {
@@ -129,11 +153,25 @@ TEST(PositionsNpy, BeginsAsNumPyWritesIt) {
     EXPECT_EQ(bytes.size(), bytes.find('\n') + 1 + 3 * 2 * 2 * 8);
 }
 
+// Where an array is shorter than its room, those behind it move up, also by less than their own length.
 TEST(PositionsNpy, EndsWhereItsRopeDiverged) {
-    const Scene scene = scene_of({{"a", 2}, {"b", 2}});
-    Positions positions = random_positions(scene, 4);
-    positions[3][1] = Points(0, 2);
-    expect_same_bits(positions, parse_positions(scene, to_npy(scene, positions), "npy"));
+    const Scene scene = scene_of({{"a", 2}, {"b", 2}, {"c", 5}});
+    for (const std::size_t rope : {0U, 1U, 2U}) {
+        for (const long last : {1L, 3L}) {
+            Positions positions = random_positions(scene, 4);
+            for (long frame = last; frame < 4; ++frame) positions[frame][rope] = Points(0, 2);
+            expect_same_bits(positions, parse_positions(scene, to_npy(scene, positions), "npy"));
+        }
+    }
+}
+
+TEST(PositionsNpy, NeedsEveryFrameFromTheFirstOn) {
+    const Scene scene = scene_of({{"a", 2}});
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "a.npy";
+    EXPECT_NO_THROW(make_positions_writer(file, scene, {0, 1, 2}));
+    EXPECT_THROW(make_positions_writer(file, scene, {1, 2}), std::runtime_error);
+    EXPECT_THROW(make_positions_writer(file, scene, {0, 2}), std::runtime_error);
 }
 
 TEST(PositionsNpy, RefusesEveryTruncation) {

@@ -36,10 +36,9 @@ ClipOptions into(const std::filesystem::path& folder, const Scene& scene) {
 }
 
 ClipResult render(const Scene& scene, const ClipOptions& options) {
-    const auto scene_runs = runs(scene);
-    const std::vector<Trajectory> trajectories = simulate(scene, scene_runs);
+    Simulation simulation(scene);
     prepare_folder(options);
-    return render_clip(scene, scene_runs, trajectories, positions(trajectories, options.frames), options);
+    return render_clip(scene, simulation, nullptr, options);
 }
 
 std::map<std::string, Bytes> contents(const std::filesystem::path& folder) {
@@ -69,12 +68,26 @@ TEST_F(RenderClip, MakesEveryFrameAndTheManifest) {
     EXPECT_EQ(parse_scene(manifest["scene"].get<std::string>(), "manifest"), scene);
 }
 
-TEST_F(RenderClip, GivesTheSameBytesByTwoJobs) {
+TEST_F(RenderClip, GivesTheSameBytesByAnyNumberOfJobs) {
     render(scene, into(folder, scene));
-    ClipOptions two_jobs = into(other, scene);
+    for (const int jobs : {2, 3, 20}) {
+        ClipOptions by_jobs = into(other, scene);
+        by_jobs.jobs = jobs;
+        by_jobs.existing = Existing::overwrite;
+        EXPECT_EQ(render(scene, by_jobs).written, 12);
+        EXPECT_EQ(contents(folder), contents(other)) << jobs;
+    }
+}
+
+TEST_F(RenderClip, SaysThatAJobFailed) {
+    ClipOptions two_jobs = into(folder, scene);
     two_jobs.jobs = 2;
-    render(scene, two_jobs);
-    EXPECT_EQ(contents(folder), contents(other));
+    Simulation simulation(scene);
+    prepare_folder(two_jobs);
+    std::filesystem::create_directory(folder / "frame_0000.png");  // where nothing can be renamed to
+    std::filesystem::create_directory(folder / "frame_0000.png" / "occupied");
+    EXPECT_THROW(render_clip(scene, simulation, nullptr, two_jobs), std::runtime_error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "clip.json"));
 }
 
 TEST_F(RenderClip, GivesTheSameFolderByShards) {

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string refusal(const std::filesystem::path& video, const std::vector<long>& frames) {
+std::string refusal(const std::filesystem::path& video, const FrameList& frames) {
     try {
         check_video(video, frames);
         return "";
@@ -49,7 +49,7 @@ class Video : public testing::Test {
     }
 
     const TemporaryFolder folder;
-    const std::vector<long> frames{2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+    const FrameList frames{2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
 };
 
 TEST_F(Video, RefusesAGap) {

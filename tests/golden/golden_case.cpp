@@ -1,7 +1,6 @@
 #include "golden/golden_case.h"
 
 #include "clip/file.h"
-#include "clip/frames.h"
 #include "clip/manifest.h"
 #include "clip/picture.h"
 #include "clip/run.h"
@@ -77,7 +76,7 @@ GoldenCase stored(const std::string& name) {
     return golden;
 }
 
-GoldenCase made(const std::string& name, const Scene& scene, const std::vector<long>& frames) {
+GoldenCase made(const std::string& name, const Scene& scene, const FrameList& frames) {
     const std::vector<Run> scene_runs = runs(scene);
     GoldenCase golden{name, scene, positions(simulate(scene, scene_runs), frames), {}};
     for (const auto& [frame, ropes] : golden.positions) golden.pictures[frame] = drawn(scene, ropes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/frames.h"
 #include "clip/positions.h"
 #include "image/image.h"
 #include "scene/scene.h"
@@ -28,7 +29,7 @@ Scene scene_of_case(const std::string& name);
 GoldenCase stored(const std::string& name);
 
 // The case as the program makes it: these frames of the scene, simulated and drawn.
-GoldenCase made(const std::string& name, const Scene& scene, const std::vector<long>& frames);
+GoldenCase made(const std::string& name, const Scene& scene, const FrameList& frames);
 
 // The picture of one frame.
 Image drawn(const Scene& scene, const std::vector<Points>& positions);

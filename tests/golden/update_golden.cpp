@@ -11,8 +11,8 @@ namespace {
 
 using namespace ropesim;
 
-std::vector<long> frames_of(const std::string& name, const Scene& scene) {
-    const std::vector<long> frames = frames_in(golden_folder() / name);
+FrameList frames_of(const std::string& name, const Scene& scene) {
+    const FrameList frames = frames_in(golden_folder() / name);
     if (!frames.empty()) return frames;
     const long last = scene.frames - 1;
     return {0, last / 3, 2 * last / 3, last};

@@ -31,7 +31,8 @@ TEST(Simulate, EndsWhereTheRopeDivergesAndKeepsNothingNonFinite) {
         ASSERT_TRUE(trajectory.diverged) << steps;
         EXPECT_EQ(trajectory.frames.size(), static_cast<std::size_t>(*trajectory.diverged));
         for (const Points& points : trajectory.frames) EXPECT_TRUE(points.isFinite().all());
-        EXPECT_TRUE(std::isfinite(trajectory.energy_drift()) && std::isfinite(trajectory.largest_stretch()));
+        EXPECT_TRUE(std::isfinite(trajectory.summary.energy_drift) &&
+                    std::isfinite(trajectory.summary.largest_stretch));
     }
 }
 

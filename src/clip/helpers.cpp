@@ -1,0 +1,232 @@
+#include "clip/helpers.h"
+
+#include "clip/interrupt.h"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace ropesim {
+namespace {
+
+// Frames that a helper has at once: one that it draws and one that waits, so that it need not. More would
+// leave it with more to do than the others in the end.
+constexpr int most_frames = 2;
+
+using Bytes = std::span<std::byte>;
+
+// A frame as it goes to a helper: this, then for each rope the number of its masses and their coordinates.
+struct FrameHeader {
+    long frame = 0;
+    std::size_t ropes = 0;
+    std::size_t size = 0;  // of all that follows, bytes
+};
+
+template <class Value>
+void put(std::vector<std::byte>& message, const Value* values, std::size_t count) {
+    const auto bytes = std::as_bytes(std::span(values, count));
+    message.insert(message.end(), bytes.begin(), bytes.end());
+}
+
+std::vector<std::byte> message_of(long frame, const std::vector<Points>& positions) {
+    std::vector<std::byte> message(sizeof(FrameHeader));
+    for (const Points& points : positions) {
+        const Eigen::Index masses = points.rows();
+        put(message, &masses, 1);
+        put(message, points.data(), static_cast<std::size_t>(points.size()));
+    }
+    const FrameHeader header{frame, positions.size(), message.size() - sizeof(FrameHeader)};
+    std::memcpy(message.data(), &header, sizeof header);
+    return message;
+}
+
+// False where nobody reads any more.
+bool send_all(int socket, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) {
+            Interrupts::check();
+            continue;
+        }
+        if (sent < 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    }
+    return true;
+}
+
+// False where the other end has been closed.
+bool read_all(int file, Bytes bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::read(file, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) {
+            Interrupts::check();
+            continue;
+        }
+        if (count <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+void take(std::span<const std::byte>& message, void* values, std::size_t size) {
+    std::memcpy(values, message.data(), size);
+    message = message.subspan(size);
+}
+
+std::vector<Points> positions_in(std::span<const std::byte> message, std::size_t ropes) {
+    std::vector<Points> positions(ropes);
+    for (Points& points : positions) {
+        Eigen::Index masses = 0;
+        take(message, &masses, sizeof masses);
+        points.resize(masses, 2);
+        take(message, points.data(), static_cast<std::size_t>(points.size()) * sizeof(double));
+    }
+    return positions;
+}
+
+void draw_what_comes(int socket, const DrawFrame& draw) {
+    FrameHeader header;
+    std::vector<std::byte> message;
+    constexpr std::byte mark{1};
+    while (read_all(socket, std::as_writable_bytes(std::span(&header, 1)))) {
+        message.resize(header.size);
+        if (!read_all(socket, message)) return;
+        Interrupts::check();
+        draw(header.frame, positions_in(message, header.ropes));
+        send_all(socket, {&mark, 1});
+    }
+}
+
+// The whole life of a helper.
+[[noreturn]] void help(int socket, const DrawFrame& draw) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody works on when the parent was killed
+    int status = 0;
+    try {
+        draw_what_comes(socket, draw);
+    } catch (const Interrupted& interrupted) {
+        status = 128 + interrupted.signal;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "ropesim: %s\n", error.what());
+        status = 1;
+    }
+    std::fflush(nullptr);
+    ::_exit(status);
+}
+
+// Waits for a process; how it ended, where that was not well.
+std::string end_of(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFSIGNALED(status))
+        return "a job was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
+               ::strsignal(WTERMSIG(status)) + "); --resume does what it left";
+    return WEXITSTATUS(status) == 0 ? "" : "a job failed; --resume does what it left";
+}
+
+}  // namespace
+
+Helpers::Helpers(int count, const DrawFrame& draw) {
+    std::fflush(nullptr);
+    try {
+        for (int i = 0; i < count; ++i) start(draw);
+    } catch (...) {
+        end_all();
+        throw;
+    }
+}
+
+Helpers::~Helpers() {
+    end_all();
+}
+
+void Helpers::start(const DrawFrame& draw) {
+    std::array<int, 2> ends;
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw std::runtime_error(std::string("cannot start a job: ") + std::strerror(errno));
+    const pid_t process = ::fork();
+    if (process == 0) {
+        for (const Helper& other : helpers_) ::close(other.socket);
+        ::close(ends[0]);
+        help(ends[1], draw);
+    }
+    const int error = errno;
+    ::close(ends[1]);
+    if (process < 0) {
+        ::close(ends[0]);
+        throw std::runtime_error(std::string("cannot start a job: ") + std::strerror(error));
+    }
+    helpers_.push_back({process, ends[0]});
+}
+
+bool Helpers::take(long frame, const std::vector<Points>& positions) {
+    receive_marks(false);
+    const auto idlest = std::ranges::min_element(helpers_, {}, &Helper::frames);
+    if (idlest == helpers_.end() || idlest->frames == most_frames) return false;
+    if (!send_all(idlest->socket, message_of(frame, positions))) fail();
+    ++idlest->frames;
+    return true;
+}
+
+long Helpers::drawn() {
+    return std::exchange(drawn_, 0);
+}
+
+void Helpers::finish() {
+    while (std::ranges::any_of(helpers_, [](const Helper& helper) { return helper.frames > 0; }))
+        receive_marks(true);
+}
+
+// Those that are there; with `wait`, at least one.
+void Helpers::receive_marks(bool wait) {
+    std::vector<pollfd> sockets;
+    for (const Helper& helper : helpers_) sockets.push_back({helper.socket, POLLIN, 0});
+    while (::poll(sockets.data(), sockets.size(), wait ? -1 : 0) < 0) Interrupts::check();
+    for (std::size_t i = 0; i < sockets.size(); ++i) {
+        if (sockets[i].revents == 0) continue;
+        std::array<char, most_frames> marks;
+        const ssize_t count = ::read(sockets[i].fd, marks.data(), marks.size());
+        if (count <= 0) fail();
+        helpers_[i].frames -= static_cast<int>(count);
+        drawn_ += count;
+    }
+}
+
+// Ends all, after the frame they are at; how one of them had ended, where it was not well.
+std::string Helpers::end_all() {
+    for (const Helper& helper : helpers_) {
+        ::close(helper.socket);
+        ::kill(helper.process, SIGTERM);
+    }
+    std::string why;
+    for (const Helper& helper : helpers_) {
+        const std::string end = end_of(helper.process);
+        if (why.empty() || end.find("signal") != std::string::npos) why = end;
+    }
+    helpers_.clear();
+    return why;
+}
+
+// One of the helpers has failed.
+void Helpers::fail() {
+    const std::string why = end_all();
+    Interrupts::check();
+    throw std::runtime_error(why);
+}
+
+}  // namespace ropesim

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "simulation/rope.h"
+
+#include <sys/types.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ropesim {
+
+// Draws (and keeps) the picture of a frame with its ropes at these positions.
+using DrawFrame = std::function<void(long frame, const std::vector<Points>& positions)>;
+
+// Processes that draw frames for this one. Make them before this process has an OpenGL context: what they
+// need they make for themselves, at their first frame.
+class Helpers {
+  public:
+    // Throws std::runtime_error where a process cannot be started.
+    Helpers(int count, const DrawFrame& draw);
+    ~Helpers();  // ends those that are still at work, after the frame they are at
+    Helpers(const Helpers&) = delete;
+    Helpers& operator=(const Helpers&) = delete;
+
+    // Has the frame drawn by the helper with the least to do; false where all have enough to do. Throws
+    // std::runtime_error where a helper has failed; it has said why on stderr.
+    bool take(long frame, const std::vector<Points>& positions);
+
+    // How many frames were drawn since this was last asked.
+    long drawn();
+
+    // Waits until all is drawn. Throws as `take` does, and Interrupted.
+    void finish();
+
+  private:
+    struct Helper {
+        pid_t process;
+        int socket;      // frames go there, and a mark comes back for each that is drawn
+        int frames = 0;  // that it has been given and not drawn
+    };
+
+    void start(const DrawFrame& draw);
+    void receive_marks(bool wait);
+    [[noreturn]] void fail();
+    std::string end_all();
+
+    std::vector<Helper> helpers_;
+    long drawn_ = 0;
+};
+
+}  // namespace ropesim

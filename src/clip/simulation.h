@@ -1,0 +1,53 @@
+#pragma once
+
+#include "clip/run.h"
+#include "scene/scene.h"
+#include "simulation/simulate.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ropesim {
+
+// The ropes of a scene as they move from frame to frame, from frame 0 on, and what they went through until
+// then. Holds one frame, however long the clip. Looks at the scene, which must outlive it.
+class Simulation {
+  public:
+    explicit Simulation(const Scene& scene);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    long frame() const { return frame_; }
+    void advance();  // to the next frame
+
+    // The ropes of the scene, in its order: what moves them, ...
+    const std::vector<Run>& runs() const { return runs_; }
+    // ... where they are in this frame (no rows where a rope has diverged), ...
+    const std::vector<Points>& positions() const { return positions_; }
+    // ... what they are like in it (meaningless where a rope has diverged), ...
+    const std::vector<Diagnostics>& diagnostics() const { return diagnostics_; }
+    // ... what they went through up to it, ...
+    const std::vector<Summary>& summaries() const { return summaries_; }
+    // ... and the frame that each did not reach.
+    std::optional<long> diverged(std::size_t rope) const { return moving_[rope].diverged(); }
+
+  private:
+    void look();
+
+    long frame_ = 0;
+    std::vector<Run> runs_;
+    std::vector<MovingRope> moving_;
+    std::vector<Points> positions_;
+    std::vector<Diagnostics> diagnostics_;
+    std::vector<Summary> summaries_;
+};
+
+// CSV of what the ropes are like: this line, then for every frame one for each rope that has not diverged.
+inline constexpr std::string_view diagnostics_csv_header =
+    "frame,rope,kinetic,spring,gravity,largest_stretch,largest_tension,length";
+std::string diagnostics_csv_lines(const Simulation& simulation);
+
+}  // namespace ropesim

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace ropesim {
@@ -19,6 +20,9 @@ constexpr const char* digest_key = "ropesim:digest";
 constexpr const char* frame_key = "ropesim:frame";
 constexpr const char* methods_key = "ropesim:methods";
 constexpr const char* positions_key = "ropesim:positions";
+
+// A control character, which no name has.
+constexpr const char* frame_errors_here = "\x7f";
 
 std::string methods_text(const Scene& scene) {
     std::string text;
@@ -40,12 +44,59 @@ nlohmann::ordered_json rope_json(const Scene& scene, const Run& run) {
     return rope;
 }
 
+// Two digits and a half: it is an estimate.
+double rounded(double pixels) {
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.3g", pixels);
+    return std::strtod(text.data(), nullptr);
+}
+
+nlohmann::ordered_json error_json(const RopeError& error) {
+    constexpr std::array<const char*, 3> bounds{"about", "more than", "less than"};
+    const RopeError::Worst worst = error.worst();
+    nlohmann::ordered_json json;
+    json["estimated_by"] = error.description();
+    json["worst"] = bounds[static_cast<std::size_t>(worst.bound)];
+    json["worst_px"] = rounded(worst.pixels);
+    json["worst_frame"] = worst.frame;
+    json["last_px"] = nullptr;
+    if (error.last()) json["last_px"] = rounded(*error.last());
+    json["px"] = frame_errors_here;
+    return json;
+}
+
+// The estimates of all frames, on one line.
+std::string frame_errors(const RopeError& error) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const auto& pixels : error.frames())
+        json.push_back(pixels ? nlohmann::ordered_json(rounded(*pixels)) : nullptr);
+    return json.dump();
+}
+
+// In place of what stands for them in the text, one after the other.
+std::string with_frame_errors(std::string text, const Simulation& simulation) {
+    const std::string mark = '"' + std::string(frame_errors_here) + '"';
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < simulation.runs().size(); ++i) {
+        if (!simulation.error(i)) continue;
+        place = text.find(mark, place);
+        const std::string errors = frame_errors(*simulation.error(i));
+        text.replace(place, mark.size(), errors);
+        place += errors.size();
+    }
+    return text;
+}
+
 void add_motion(const Scene& scene, const Simulation& simulation, std::size_t i,
                 nlohmann::ordered_json& rope) {
     const Summary& summary = simulation.summaries()[i];
     rope["largest_stretch"] = summary.largest_stretch;
     rope["largest_tension"] = summary.largest_tension;
     rope["energy_drift"] = summary.energy_drift;
+    if (const RopeError* error = simulation.error(i))
+        rope["error"] = error_json(*error);
+    else if (!simulation.why_no_errors().empty())
+        rope["error"] = {{"left_out", simulation.why_no_errors()}};
     if (const auto frame = simulation.diverged(i)) {
         rope["diverged_in_frame"] = *frame;
         rope["divergence"] = divergence(scene, simulation.runs()[i], *frame);
@@ -108,7 +159,7 @@ std::string clip_json(const Scene& scene, const Simulation& simulation, const st
         if (positions_digest.empty()) add_motion(scene, simulation, i, json["ropes"].back());
     }
     json["scene"] = toml;
-    return json.dump(2) + "\n";
+    return (positions_digest.empty() ? with_frame_errors(json.dump(2), simulation) : json.dump(2)) + "\n";
 }
 
 std::string digest(std::string_view bytes) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "clip/rope_error.h"
 #include "clip/run.h"
 #include "scene/scene.h"
 #include "simulation/simulate.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +18,9 @@ namespace ropesim {
 // then. Holds one frame, however long the clip. Looks at the scene, which must outlive it.
 class Simulation {
   public:
-    explicit Simulation(const Scene& scene);
+    // Estimating errors takes a second and a third run of each rope.
+    enum class Errors { estimated, left_out };
+    Simulation(const Scene& scene, Errors errors);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
@@ -34,8 +38,14 @@ class Simulation {
     // ... and the frame that each did not reach.
     std::optional<long> diverged(std::size_t rope) const { return moving_[rope].diverged(); }
 
+    // How wrong a rope is; null where that is left out.
+    const RopeError* error(std::size_t rope) const { return errors_[rope].get(); }
+    // Why errors are left out, although they were to be estimated; "" where they are not.
+    const std::string& why_no_errors() const { return why_no_errors_; }
+
   private:
     void look();
+    void begin_errors(const Scene& scene);
 
     long frame_ = 0;
     std::vector<Run> runs_;
@@ -43,7 +53,13 @@ class Simulation {
     std::vector<Points> positions_;
     std::vector<Diagnostics> diagnostics_;
     std::vector<Summary> summaries_;
+    std::vector<std::unique_ptr<RopeError>> errors_;
+    std::string why_no_errors_;
 };
+
+// How wrong the ropes are, in a line for the end of a run: "error, worst frame: Euler 0.2 px (last
+// 0.1 px), ..."; of many ropes the worst. "" where nothing was to be estimated.
+std::string error_line(const Simulation& simulation);
 
 // CSV of what the ropes are like: this line, then for every frame one for each rope that has not diverged.
 inline constexpr std::string_view diagnostics_csv_header =

@@ -6,6 +6,7 @@
 #include "clip/video.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "study/plan.h"
 
 #include <CLI/CLI.hpp>
 
@@ -54,6 +55,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
         ->type_name("FILE");
     app.add_option("--video", options.video, "make a video of the frames, too (.mp4 or .gif, by ffmpeg)")
         ->type_name("FILE");
+    add_error_option(app, options.scene);
     app.add_flag("--strict", options.strict, "exit with status 1 where a rope diverges");
     app.add_flag("--quiet", options.quiet, "say nothing but errors");
     app.footer(
@@ -124,11 +126,25 @@ void report_done(const ClipResult& result, const std::string& folder, double sec
     std::printf("\n");
 }
 
+void say(const std::string& line) {
+    if (!line.empty()) std::printf("%s\n", line.c_str());
+}
+
+void say_what_was_planned(const Scene& as_written, const Scene& planned) {
+    for (std::size_t i = 0; i < planned.ropes.size(); ++i)
+        if (as_written.ropes[i].method == auto_method)
+            std::printf("rope '%s': planned %s, %d steps per frame\n", planned.ropes[i].name.c_str(),
+                        planned.ropes[i].method.c_str(), *planned.ropes[i].steps_per_frame);
+}
+
 int render(const RenderOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    FoundScene found = open_planned_scene(options.scene);
+    FoundScene found = open_scene(options.scene);
     Scene& scene = found.scene;
     set_size(scene, options.size);
+    const Scene as_written = scene;
+    scene = with_planned_ropes(scene);
+    if (!options.quiet) say_what_was_planned(as_written, scene);
     if (!found.positions_digest.empty() && options.positions.empty())
         throw std::runtime_error(options.scene.scene +
                                  ": was drawn from a positions file; give that file by --positions");
@@ -149,7 +165,8 @@ int render(const RenderOptions& options) {
     if (!simulating) given = read_positions(scene, options, clip);
     if (!options.video.empty()) check_video(options.video, clip.frames);
     prepare_folder(clip);
-    Simulation simulation(scene);
+    Simulation simulation(scene, simulating && !options.scene.no_error ? Simulation::Errors::estimated
+                                                                       : Simulation::Errors::left_out);
     if (simulating)
         for (const std::string& warning : stability_warnings(scene, simulation.runs()))
             warn(options.quiet, "warning: " + warning);
@@ -158,6 +175,7 @@ int render(const RenderOptions& options) {
     const bool diverged = report_divergence(scene, simulation, options.quiet && !options.strict);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report_done(result, options.folder, seconds, options.quiet);
+    if (!options.quiet) say(error_line(simulation));
     return diverged && options.strict ? 1 : 0;
 }
 

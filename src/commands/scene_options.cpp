@@ -1,7 +1,5 @@
 #include "commands/scene_options.h"
 
-#include "study/plan.h"
-
 #include <CLI/CLI.hpp>
 
 #include <stdexcept>
@@ -18,6 +16,10 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
     app.add_option("--nodes", options.nodes, "masses in every rope")->type_name("N");
 }
 
+void add_error_option(CLI::App& app, SceneOptions& options) {
+    app.add_flag("--no-error", options.no_error, "leave out the estimate of how wrong the ropes are");
+}
+
 FoundScene open_scene(const SceneOptions& options) {
     FoundScene found = find_scene(options.scene);
     Scene& scene = found.scene;
@@ -31,12 +33,6 @@ FoundScene open_scene(const SceneOptions& options) {
         rope.masses.clear();
     }
     check_scene(scene);
-    return found;
-}
-
-FoundScene open_planned_scene(const SceneOptions& options) {
-    FoundScene found = open_scene(options);
-    found.scene = with_planned_ropes(found.scene);
     return found;
 }
 

@@ -20,15 +20,16 @@ struct SceneOptions {
     std::optional<double> mass;
     std::optional<std::array<double, 2>> gravity;
     std::optional<int> nodes;
+    bool no_error = false;
 };
+
+// The option that leaves out the estimate of errors.
+void add_error_option(CLI::App& app, SceneOptions& options);
 
 void add_scene_options(CLI::App& app, SceneOptions& options);
 
 // The scene with the options in place, checked. Throws std::runtime_error.
 FoundScene open_scene(const SceneOptions& options);
-
-// The same with methods and steps chosen for ropes whose method is "auto".
-FoundScene open_planned_scene(const SceneOptions& options);
 
 // The frames that `--frames` asks for. Throws CLI::ValidationError.
 FrameList selected_frames(const std::string& text, const Scene& scene);

@@ -41,6 +41,7 @@ void add_options(CLI::App& app, SimulateOptions& options) {
     app.add_option("--truth", options.truth,
                    "positions of what the scene's ropes truly do, and how far from it these are")
         ->type_name("FILE");
+    add_error_option(app, options.scene);
     app.add_flag("--strict", options.strict, "exit with status 1 where a rope diverges");
     app.footer(
         "Examples:\n"
@@ -113,10 +114,13 @@ int simulate(const SimulateOptions& options) {
     set_methods(scene, options.methods);
     scene = with_planned_ropes(scene);
     const FrameList frames = selected_frames(options.frames, scene);
-    Simulation simulation(scene);
+    Simulation simulation(
+        scene, options.scene.no_error ? Simulation::Errors::left_out : Simulation::Errors::estimated);
     for (const std::string& warning : stability_warnings(scene, simulation.runs()))
         std::fprintf(stderr, "ropesim: warning: %s\n", warning.c_str());
     write_frames(options, scene, frames, simulation);
+    if (const std::string line = error_line(simulation); !line.empty())
+        std::fprintf(stderr, "ropesim: %s\n", line.c_str());
     if (!options.truth.empty()) compare_with_truth(options.truth, scene, frames);
     bool diverged = false;
     for (std::size_t i = 0; i < simulation.runs().size(); ++i) {

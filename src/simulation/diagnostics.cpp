@@ -58,11 +58,12 @@ double longest_link(const Points& position) {
     return longest;
 }
 
-double shortest_link(const Points& position) {
-    double shortest = length(position, 0);
-    for (Eigen::Index link = 1; link + 1 < position.rows(); ++link)
-        shortest = std::min(shortest, length(position, link));
-    return shortest;
+bool links_at_rest_length(const Rope& rope, const Points& position) {
+    constexpr double tolerance = 1e-9;
+    for (Eigen::Index link = 0; link + 1 < position.rows(); ++link)
+        if (!(std::abs(length(position, link) - rope.rest_length) <= tolerance * rope.rest_length))
+            return false;
+    return true;
 }
 
 double rope_length(const Points& position) {

@@ -19,9 +19,11 @@ Energy energy(const Rope& rope, Model model, const State& state);
 // The greatest distance of a mass from where it should be, world units.
 double greatest_distance(const Points& expected, const Points& actual);
 
-// Greatest and smallest length of a link, world units.
+// Greatest length of a link, world units.
 double longest_link(const Points& position);
-double shortest_link(const Points& position);
+
+// Whether every link has its rest length, to 1e-9 of it: what a rope must start with to move without springs.
+bool links_at_rest_length(const Rope& rope, const Points& position);
 
 // Length along the rope, world units.
 double rope_length(const Points& position);

@@ -42,11 +42,7 @@ const SceneRope& rope_named(const Scene& scene, std::string_view name) {
 bool fits(const Problem& problem, const Method& method) {
     if (method.model == problem.model) return true;
     if (problem.model == Model::inextensible) return false;
-    constexpr double tolerance = 1e-9;
-    const double longest = longest_link(problem.rope.start);
-    const double shortest = shortest_link(problem.rope.start);
-    const double rest = problem.rope.rest_length;
-    return std::max(longest - rest, rest - shortest) <= tolerance * rest;
+    return links_at_rest_length(problem.rope, problem.rope.start);
 }
 
 Stepping stepping(const Problem& problem, long steps_per_frame) {

@@ -36,7 +36,7 @@ ClipOptions into(const std::filesystem::path& folder, const Scene& scene) {
 }
 
 ClipResult render(const Scene& scene, const ClipOptions& options) {
-    Simulation simulation(scene);
+    Simulation simulation(scene, Simulation::Errors::estimated);
     prepare_folder(options);
     return render_clip(scene, simulation, nullptr, options);
 }
@@ -82,7 +82,7 @@ TEST_F(RenderClip, GivesTheSameBytesByAnyNumberOfJobs) {
 TEST_F(RenderClip, SaysThatAJobFailed) {
     ClipOptions two_jobs = into(folder, scene);
     two_jobs.jobs = 2;
-    Simulation simulation(scene);
+    Simulation simulation(scene, Simulation::Errors::estimated);
     prepare_folder(two_jobs);
     std::filesystem::create_directory(folder / "frame_0000.png");  // where nothing can be renamed to
     std::filesystem::create_directory(folder / "frame_0000.png" / "occupied");

@@ -28,7 +28,7 @@ TEST(Simulation, GoesTheWayOfTheTrajectories) {
         const Scene scene = parse_scene(each.toml, each.name);
         const std::vector<Trajectory> trajectories = simulate(scene, runs(scene));
         const Positions expected = positions(trajectories, parse_frames("", scene.frames));
-        Simulation simulation(scene);
+        Simulation simulation(scene, Simulation::Errors::estimated);
         for (long frame = 0; frame < scene.frames; ++frame) {
             advance_to(frame, simulation);
             for (std::size_t i = 0; i < trajectories.size(); ++i) {
@@ -52,7 +52,7 @@ TEST(Simulation, EndsOneRopeWhileTheOthersGoOn) {
     other.name = "projected";
     other.method = "constraint_projection";
     scene.ropes.push_back(other);
-    Simulation simulation(scene);
+    Simulation simulation(scene, Simulation::Errors::estimated);
     advance_to(scene.frames - 1, simulation);
     EXPECT_TRUE(simulation.diverged(0));
     EXPECT_EQ(simulation.positions()[0].rows(), 0);
@@ -70,7 +70,7 @@ TEST(DiagnosticsCsv, TellsOfARopeThatHangsAtRest) {
     rope.start = {0.0, 10.0};
     rope.end = {0.0, 0.0};
     rope.rest_length = 9.99;  // 1 / 100 shorter: in equilibrium
-    Simulation simulation(scene);
+    Simulation simulation(scene, Simulation::Errors::estimated);
     EXPECT_THAT(diagnostics_csv_lines(simulation), StartsWith("0,Euler,0,"));
     advance_to(59, simulation);
     double kinetic = 1.0, spring = 0.0, gravity = 0.0, stretch = 0.0, tension = 0.0, length = 0.0;

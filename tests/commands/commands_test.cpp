@@ -254,6 +254,7 @@ TEST_F(CommandLine, RendersAnAutomaticRopeByWhatItPlans) {
     EXPECT_EQ(run({"auto.toml"}).status, 2);
     const Outcome outcome = run({"render", "auto.toml", "--frames", "0,19"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("rope 'a': planned "));
     EXPECT_EQ(run({"render", "frames/frame_0019.png", "--frames", "0,19", "-o", "again"}).status, 0);
     EXPECT_EQ(contents("again"), contents("frames"));
     const auto scene =

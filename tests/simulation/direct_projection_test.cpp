@@ -43,6 +43,19 @@ TEST(DirectProjection, KeepsEveryLinkAtItsLength) {
     }
 }
 
+// A link that turns by more than a right angle in a step is beyond Newton's iteration. In halves of the step it
+// is not, and the links keep their length all the same.
+TEST(DirectProjection, TakesAStepThatIsTooLargeInHalves) {
+    for (const int masses : {16, 128}) {
+        for (const long steps : {1, 2, 3}) {
+            const Rope rope = seed_rope(masses);
+            const Trajectory motion = simulate(rope, direct(), stepping(1.0, steps), 60);
+            EXPECT_FALSE(motion.diverged) << masses << " masses, " << steps << " steps";
+            EXPECT_LT(worst_length(rope, motion.frames.back()), 1e-12);
+        }
+    }
+}
+
 // Pulled straight between two pins a rope has but one shape; the part beyond the pins swings all the same.
 TEST(DirectProjection, HoldsWhatIsPulledStraightBetweenTwoPins) {
     Rope rope = seed_rope(9);

@@ -103,6 +103,7 @@ bool keep_lengths(const Rope& rope, DirectProjection& work, Points& moved, Cost&
 }
 
 // The impulses of this step, from those of the two before: the first step has but half a kick to make up for.
+// Steps are counted from the last that had nothing before it.
 void guess_impulses(long step, DirectProjection& work) {
     if (step == 1) work.impulse *= 2.0;
     if (step <= 2) {
@@ -140,6 +141,35 @@ void begin(const Rope& rope, const State& state, DirectProjection& work) {
     require_rest_lengths(rope, state);
 }
 
+// One step from where `work.impulse` is guessed to lead. False, and the state as it was, where no impulses
+// keep the lengths.
+bool take_step(const Rope& rope, double h, double kept_half, State& state, Scratch& scratch) {
+    DirectProjection& work = scratch.direct_projection;
+    Points& moved = scratch.displacement;
+    const Points& fall = scratch.kick;
+    find_links(state.position, work.before);
+    moved = h * (kept_half * state.velocity + h / 2.0 * fall);
+    add_impulses(work.weight, work.before, work.impulse, moved);
+    if (!keep_lengths(rope, work, moved, scratch.cost)) return false;
+    state.position += moved;
+    state.velocity = kept_half * (moved / h + h / 2.0 * fall);
+    return true;
+}
+
+// A step that is too large for Newton's iteration, as two of half its size, and these likewise.
+bool take_two_steps(const Rope& rope, double h, double kept_half, int halvings_left, State& state,
+                    Scratch& scratch) {
+    for (int half = 0; half < 2; ++half) {
+        scratch.direct_projection.impulse = 0.0;
+        if (take_step(rope, h, kept_half, state, scratch)) continue;
+        if (halvings_left == 0 ||
+            !take_two_steps(rope, h / 2.0, std::sqrt(kept_half), halvings_left - 1, state, scratch))
+            return false;
+    }
+    scratch.direct_projection.impulse = 0.0;
+    return true;
+}
+
 }  // namespace
 
 // Direct projection (SHAKE): Störmer-Verlet whose links keep their length by forces along their directions at
@@ -150,28 +180,25 @@ void begin(const Rope& rope, const State& state, DirectProjection& work) {
 // for it: it moves no position, so that only the last step's need it. Damping is exact on both sides of the
 // step (Strang splitting). Ryckaert, Ciccotti, Berendsen: J. Comput. Phys. 23, 1977; Andersen: Rattle,
 // J. Comput. Phys. 52, 1983; Hairer, Lubich, Wanner: Geometric Numerical Integration, 2006, VII.1.4.
+// A step whose iteration does not converge, as where a link turns far in it, is made in two halves instead.
 // Throws std::runtime_error where a link does not start at its rest length.
 void direct_projection(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+    constexpr int most_halvings = 10;
     const double h = stepping.step_size;
     const double kept_half = std::sqrt(velocity_kept(rope, stepping));
     DirectProjection& work = scratch.direct_projection;
-    Points& moved = scratch.displacement;
-    Points& half_kick = scratch.kick;
     begin(rope, state, work);
-    half_kick = h / 2.0 * rope.free_fall;
+    scratch.kick = rope.free_fall;
     for (Index i = 0; i < work.weight.size(); ++i)
-        if (work.weight(i) == 0.0) half_kick.row(i) = 0.0;
-    for (long step = 0; step < stepping.steps; ++step) {
-        find_links(state.position, work.before);
-        moved = h * (kept_half * state.velocity + half_kick);
-        guess_impulses(step, work);
-        add_impulses(work.weight, work.before, work.impulse, moved);
-        if (!keep_lengths(rope, work, moved, scratch.cost)) {
+        if (work.weight(i) == 0.0) scratch.kick.row(i) = 0.0;
+    for (long step = 0, first = 0; step < stepping.steps; ++step) {
+        guess_impulses(step - first, work);
+        if (take_step(rope, h, kept_half, state, scratch)) continue;
+        if (!take_two_steps(rope, h / 2.0, std::sqrt(kept_half), most_halvings - 1, state, scratch)) {
             state.position = std::numeric_limits<double>::quiet_NaN();
             return;
         }
-        state.position += moved;
-        state.velocity = kept_half * (moved / h + half_kick);
+        first = step + 1;
     }
     keep_lengths_at_rest(work, state, scratch.cost);
 }

@@ -25,6 +25,13 @@ constexpr std::array<SolveWork, 5> solve_works{{{"backward_euler", 14.0},
                                                 {"constraint_projection", 4.7},
                                                 {"direct_projection", 4.4}}};
 
+// Of one solve or sweep; 0 for a method that has none.
+double solve_work(const Method& method) {
+    const auto found = std::find_if(solve_works.begin(), solve_works.end(),
+                                    [&](const SolveWork& each) { return each.method == method.name; });
+    return found == solve_works.end() ? 0.0 : found->evaluations;
+}
+
 // A trial with more work than this, over the clip, in evaluations of one mass, is not made: a tenth of a
 // second. A long clip of a long rope may have a trial of some evaluations per frame.
 constexpr double most_work = 2e7;
@@ -35,9 +42,11 @@ constexpr double close_enough = 1.1;
 
 // Trials of one method, from which the next follows.
 struct Search {
-    const Method* method;
-    std::vector<Candidate> failed;    // steps grow
-    std::optional<Candidate> passed;  // fewest steps that keep to the tolerance
+    const Method* method = nullptr;
+    std::vector<Candidate> failed{};      // steps grow
+    std::optional<Candidate> passed{};    // fewest steps that keep to the tolerance
+    std::optional<Candidate> cheapest{};  // that keeps to it
+    bool finer_is_dearer = false;         // than the cheapest: always so, but where steps are solved for
     bool given_up = false;
 };
 
@@ -50,12 +59,17 @@ long expected_steps(const Search& search, double tolerance) {
     return std::max(last.steps + 1, static_cast<long>(steps));
 }
 
-bool closed(const Search& search) {
+// Whether the fewest steps are known.
+bool bracketed(const Search& search) {
     if (!search.passed) return false;
     if (search.failed.empty()) return true;
     const long failed = search.failed.back().steps;
     return search.passed->steps <= failed + 1 ||
            static_cast<double>(search.passed->steps) <= close_enough * static_cast<double>(failed);
+}
+
+bool closed(const Search& search) {
+    return bracketed(search) && search.finer_is_dearer;
 }
 
 long coarsest_steps(const Problem& problem, const Method& method) {
@@ -65,22 +79,29 @@ long coarsest_steps(const Problem& problem, const Method& method) {
 // Of the next trial; 0 where there is none.
 long next_steps(const Search& search, const Problem& problem, double tolerance) {
     if (search.given_up || closed(search)) return 0;
-    if (search.failed.empty()) return coarsest_steps(problem, *search.method);
+    if (search.failed.empty() && !search.passed) return coarsest_steps(problem, *search.method);
     if (!search.passed) return expected_steps(search, tolerance);
+    if (bracketed(search)) return 2 * search.cheapest->steps;
     const double failed = static_cast<double>(search.failed.back().steps);
     const double middle = std::sqrt(failed * static_cast<double>(search.passed->steps));
     return std::clamp(std::lround(middle), search.failed.back().steps + 1, search.passed->steps - 1);
 }
 
+// What a finer step can take at least. Where it is solved for, a large step takes more than a small one: that
+// is one solve then.
+double work_per_step(const Search& search) {
+    const double solve = solve_work(*search.method);
+    return solve > 0.0 ? solve : search.failed.back().work / static_cast<double>(search.failed.back().steps);
+}
+
 // The least work that the method can still turn out to need; infinite where it has been given up.
 double least_work(const Search& search, const Problem& problem, double tolerance) {
-    if (closed(search)) return search.passed->work;
+    if (bracketed(search)) return search.cheapest->work;
     const long next = next_steps(search, problem, tolerance);
     if (next == 0) return infinity;
     if (search.failed.empty()) return static_cast<double>(next);  // at least an evaluation a step
-    const Candidate& last = search.failed.back();
-    const long least = search.passed ? last.steps + 1 : next;
-    return last.work * static_cast<double>(least) / static_cast<double>(last.steps);
+    const long least = search.passed ? search.failed.back().steps + 1 : next;
+    return work_per_step(search) * static_cast<double>(least);
 }
 
 // The error has stopped falling: the model's, or that of rounding.
@@ -101,12 +122,12 @@ class Planner {
     Plan search() {
         for (const Method& method : methods())
             if (takes_part(method))
-                searches_.push_back({&method, {}, std::nullopt, coarsest_steps(problem_, method) == 0});
+                searches_.push_back({.method = &method, .given_up = coarsest_steps(problem_, method) == 0});
         while (Search* search = most_promising()) try_next(*search);
         for (const Search* search : ranked()) {
             if (!closed(*search)) break;
             if (plan_.choice && plan_.runner_up) break;
-            (plan_.choice ? plan_.runner_up : plan_.choice) = search->passed;
+            (plan_.choice ? plan_.runner_up : plan_.choice) = search->cheapest;
         }
         if (!plan_.tried.empty()) plan_.growth = growth();
         return std::move(plan_);
@@ -143,7 +164,14 @@ class Planner {
         const Candidate trial = candidate(problem_, plan_.truth, *search.method, steps);
         plan_.tried.push_back(trial);
         if (trial.error <= plan_.tolerance) {
-            search.passed = trial;
+            if (!search.passed || trial.steps < search.passed->steps) search.passed = trial;
+            const bool cheaper = !search.cheapest || trial.work < search.cheapest->work;
+            search.finer_is_dearer = solve_work(*search.method) == 0.0 || !cheaper;
+            if (cheaper) search.cheapest = trial;
+            return;
+        }
+        if (search.passed && trial.steps > search.passed->steps) {
+            search.finer_is_dearer = true;
             return;
         }
         search.failed.push_back(trial);
@@ -151,10 +179,8 @@ class Planner {
     }
 
     bool too_much(const Search& search, long steps) const {
-        const double evaluations = search.failed.empty()
-                                       ? static_cast<double>(steps)
-                                       : search.failed.back().work * static_cast<double>(steps) /
-                                             static_cast<double>(search.failed.back().steps);
+        const double evaluations =
+            static_cast<double>(steps) * (search.failed.empty() ? 1.0 : work_per_step(search));
         const auto size = static_cast<double>(problem_.rope.mass.size() * problem_.frames);
         return evaluations > std::max(most_evaluations, most_work / size);
     }
@@ -196,10 +222,7 @@ std::string px(double pixels) {
 }  // namespace
 
 double work(const Method& method, const Cost& cost) {
-    const auto found = std::find_if(solve_works.begin(), solve_works.end(),
-                                    [&](const SolveWork& each) { return each.method == method.name; });
-    const double solve = found == solve_works.end() ? 0.0 : found->evaluations;
-    return static_cast<double>(cost.evaluations) + solve * static_cast<double>(cost.solves);
+    return static_cast<double>(cost.evaluations) + solve_work(method) * static_cast<double>(cost.solves);
 }
 
 Candidate candidate(const Problem& problem, const Truth& truth, const Method& method, long steps) {

@@ -12,9 +12,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Stands for the square of a zero length, as in `accelerations`.
-constexpr double shortest_squared = 1e-200;
-
 double length(double dx, double dy) {
     return std::sqrt(std::max(dx * dx + dy * dy, shortest_squared));
 }

@@ -1,15 +1,11 @@
 #include "simulation/links.h"
 
+#include "simulation/lanes.h"
+
 #include <cmath>
 #include <limits>
 
 namespace ropesim {
-namespace {
-
-// Stands for the square of a zero length, so that 0 * (rest length / length) is 0.
-constexpr double shortest_squared = 1e-200;
-
-}  // namespace
 
 // Hooke's law, force of link i on mass i: k (1 - l/|d|) d with d = x[i+1] - x[i]. Row i + 1 of link_force is
 // link i; the rows of zeros before the first and after the last link spare the ends a case of their own.
@@ -27,15 +23,17 @@ void accelerations(const Rope& rope, const double* position, double* acceleratio
     const double* y = position + masses;
     double* force_x = link_force.col(0).data() + 1;
     double* force_y = link_force.col(1).data() + 1;
-    for (Eigen::Index i = 0; i < masses - 1; ++i) {
-        const double dx = x[i + 1] - x[i];
-        const double dy = y[i + 1] - y[i];
-        const double squared = dx * dx + dy * dy;
-        const double length = std::sqrt(squared < shortest_squared ? shortest_squared : squared);
-        const double pull = k * (1.0 - l / length);
-        force_x[i] = pull * dx;
-        force_y[i] = pull * dy;
-    }
+    in_lanes(scratch.instructions, [=](auto) {
+        for (Eigen::Index i = 0; i < masses - 1; ++i) {
+            const double dx = x[i + 1] - x[i];
+            const double dy = y[i + 1] - y[i];
+            const double squared = dx * dx + dy * dy;
+            const double length = std::sqrt(squared < shortest_squared ? shortest_squared : squared);
+            const double pull = k * (1.0 - l / length);
+            force_x[i] = pull * dx;
+            force_y[i] = pull * dy;
+        }
+    });
     for (int axis = 0; axis < 2; ++axis)
         Eigen::Map<Eigen::ArrayXd>(acceleration + axis * masses, masses) =
             rope.inverse_mass * (link_force.col(axis).tail(masses) - link_force.col(axis).head(masses)) +

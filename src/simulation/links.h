@@ -4,6 +4,9 @@
 
 namespace ropesim {
 
+// Stands for the square of a zero length, so that 0 * (rest length / length) is 0.
+inline constexpr double shortest_squared = 1e-200;
+
 // scratch.acceleration: that of every mass by its springs and gravity; zero at pinned masses. A link of
 // length zero has no direction and pulls nowhere. Sizes scratch.link_force as needed and counts itself.
 void accelerations(const Rope& rope, const Points& position, Scratch& scratch);

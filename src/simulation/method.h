@@ -1,6 +1,9 @@
 #pragma once
 
+#include "simulation/bundle.h"
 #include "simulation/implicit_springs.h"
+#include "simulation/instruction_set.h"
+#include "simulation/leaps.h"
 #include "simulation/rope.h"
 
 #include <span>
@@ -47,11 +50,12 @@ struct Scratch {
     Points previous;
     ImplicitSprings springs;
     DirectProjection direct_projection;
-    Points previous_velocity;
     Points displacement;
     Points kick;
     Eigen::ArrayXd multiplier;  // one per link
-    Cost cost;                  // adds up since the scratch was made
+    Bundle bundle;
+    InstructionSet instructions = widest_instruction_set();  // of the loops over masses
+    Cost cost;                                               // adds up since the scratch was made
 };
 
 // Advances the state by `stepping.steps` steps, velocity included; state.time is left to the caller. A
@@ -80,6 +84,7 @@ struct Method {
     Stable* stable;          // null where every step is
     Keeps keeps;
     Advance* advance;
+    LeapsOf* leaps;            // what it is made of; null where not of leaps
     std::string_view purpose;  // what it is for, one line
 };
 

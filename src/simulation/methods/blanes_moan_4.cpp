@@ -33,19 +33,16 @@ std::array<Stage, 6> stages(double h, double damping) {
 //   v += b1 h a(x),   then six times   x += ai h v,   v += b(i+1) h a(x)
 // Damping is exact in the drift, x' = v, v' = -damping v, which keeps the order: as in the undamped case
 // the bracket of three kicks with a drift is zero.
-void blanes_moan_4(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+Leaps blanes_moan_4(const Rope& rope, const Stepping& stepping) {
     const double h = stepping.step_size;
-    const double first_kick = BlanesMoan4::kicks[0] * h;
     const std::array<Stage, 6> six = stages(h, damping_per_step(rope, stepping));
-    accelerations(rope, state.position, scratch);
-    for (long step = 0; step < stepping.steps; ++step) {
-        state.velocity += first_kick * scratch.acceleration;
-        for (const Stage& stage : six) {
-            state.position += stage.drift * state.velocity;
-            accelerations(rope, state.position, scratch);
-            state.velocity = stage.kept * state.velocity + stage.kick * scratch.acceleration;
-        }
-    }
+    Leaps leaps{.opening = {.kick = BlanesMoan4::kicks[0] * h, .drift = six[0].drift},
+                .steps = stepping.steps};
+    for (std::size_t i = 0; i < six.size(); ++i)
+        leaps.add({.before = six[i].kept,
+                   .kick = six[i].kick,
+                   .drift = i + 1 < six.size() ? six[i + 1].drift : 0.0});
+    return leaps;
 }
 
 // Jury's criterion for the matrix that one step multiplies (ω x, v) by. Undamped it is |trace| < 2, which

@@ -31,18 +31,13 @@ std::array<Stage, 15> stages(double h, double damping) {
 // drifts and fourteen kicks. Symplectic, symmetric, fourteen evaluations a step.
 //   fourteen times   x += ai h v,   v += bi h a(x),   and   x += a1 h v
 // Damping is exact in the drift, as in blanes_moan_4.
-void blanes_moan_6(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+Leaps blanes_moan_6(const Rope& rope, const Stepping& stepping) {
     const std::array<Stage, 15> all = stages(stepping.step_size, damping_per_step(rope, stepping));
-    const Stage& last = all.back();
-    for (long step = 0; step < stepping.steps; ++step) {
-        for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-            state.position += all[i].drift * state.velocity;
-            accelerations(rope, state.position, scratch);
-            state.velocity = all[i].kept * state.velocity + all[i].kick * scratch.acceleration;
-        }
-        state.position += last.drift * state.velocity;
-        state.velocity *= last.kept;
-    }
+    Leaps leaps{.opening = {.drift = all[0].drift}, .steps = stepping.steps};
+    for (std::size_t i = 0; i + 1 < all.size(); ++i)
+        leaps.add({.before = all[i].kept, .kick = all[i].kick, .drift = all[i + 1].drift});
+    leaps.leaps[leaps.count - 1].kept = all.back().kept;
+    return leaps;
 }
 
 namespace {

@@ -6,17 +6,17 @@
 namespace ropesim {
 
 Advance explicit_euler;
-Advance symplectic_euler;
-Advance stormer_verlet;
+LeapsOf symplectic_euler;
+LeapsOf stormer_verlet;
 Advance backward_euler;
 Advance implicit_midpoint;
 Advance runge_kutta_4;
-Advance blanes_moan_4;
-Advance blanes_moan_6;
+LeapsOf blanes_moan_4;
+LeapsOf blanes_moan_6;
 Advance xpbd;
 Advance constraint_projection;
 Advance direct_projection;
-Advance seed_verlet;
+LeapsOf seed_verlet;
 Advance seed_constraints;
 
 Stable explicit_euler_stable;

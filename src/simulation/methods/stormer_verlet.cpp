@@ -10,16 +10,12 @@ namespace ropesim {
 // Its positions are those of x'' = 2x' - x + h² a(x') started with x + h v + h²/2 a(x). Stable for h ω < 2.
 // Hairer, Lubich, Wanner: Geometric Numerical Integration, 2006, I.1.4. Damping is exact on both sides of
 // the step (Strang splitting), which leaves order and limit as they are.
-void stormer_verlet(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+Leaps stormer_verlet(const Rope& rope, const Stepping& stepping) {
     const double h = stepping.step_size;
     const double kept_half = std::sqrt(velocity_kept(rope, stepping));
-    accelerations(rope, state.position, scratch);
-    for (long step = 0; step < stepping.steps; ++step) {
-        state.velocity = kept_half * state.velocity + h / 2.0 * scratch.acceleration;
-        state.position += h * state.velocity;
-        accelerations(rope, state.position, scratch);
-        state.velocity = kept_half * (state.velocity + h / 2.0 * scratch.acceleration);
-    }
+    Leaps leaps{.opening = {.before = kept_half, .kick = h / 2.0, .drift = h}, .steps = stepping.steps};
+    leaps.add({.kick = h / 2.0, .after = kept_half});
+    return leaps;
 }
 
 // Trace (1 + kept) (1 - (h ω)²/2), determinant kept: damping does not move the limit.

@@ -6,14 +6,11 @@ namespace ropesim {
 // Symplectic (semi-implicit) Euler: kick, then drift with the new velocity. Order 1, symplectic.
 //   v' = v + h a(x),   x' = x + h v'
 // Stable for h ω < 2 (undamped). Hairer, Lubich, Wanner: Geometric Numerical Integration, 2006, I.1.
-void symplectic_euler(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+Leaps symplectic_euler(const Rope& rope, const Stepping& stepping) {
     const double h = stepping.step_size;
-    const double kept = velocity_kept(rope, stepping);
-    for (long step = 0; step < stepping.steps; ++step) {
-        accelerations(rope, state.position, scratch);
-        state.velocity = kept * state.velocity + h * scratch.acceleration;
-        state.position += h * state.velocity;
-    }
+    Leaps leaps{.steps = stepping.steps};
+    leaps.add({.before = velocity_kept(rope, stepping), .kick = h, .drift = h});
+    return leaps;
 }
 
 // Trace 1 + kept - (h ω)², determinant kept: |trace| < 1 + determinant (Jury's criterion).

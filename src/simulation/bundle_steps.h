@@ -1,0 +1,148 @@
+#pragma once
+
+#include "simulation/bundle.h"
+#include "simulation/lanes.h"
+#include "simulation/links.h"
+
+#include <algorithm>
+#include <array>
+
+// The loops over the masses of a bundle that the explicit methods go through: the acceleration of each mass,
+// and what a method does with it. To be called from `in_lanes`.
+namespace ropesim {
+
+// A vector of the plane in each lane.
+template <int width>
+struct VectorLanes {
+    Lanes<width> x{};
+    Lanes<width> y{};
+};
+
+template <int width>
+VectorLanes<width> load(const double* x, const double* y) {
+    return {load<width>(x), load<width>(y)};
+}
+
+template <int width>
+void store(double* x, double* y, const VectorLanes<width>& lanes) {
+    store(x, lanes.x);
+    store(y, lanes.y);
+}
+
+template <int width>
+VectorLanes<width> shifted_up(const VectorLanes<width>& before, const VectorLanes<width>& lanes) {
+    return {shifted_up<width>(before.x, lanes.x), shifted_up<width>(before.y, lanes.y)};
+}
+
+template <int width>
+VectorLanes<width> shifted_down(const VectorLanes<width>& lanes, const VectorLanes<width>& after) {
+    return {shifted_down<width>(lanes.x, after.x), shifted_down<width>(lanes.y, after.y)};
+}
+
+// A link in each lane: the vector from its mass to the next, and its length.
+template <int width>
+struct LinkLanes {
+    VectorLanes<width> d;
+    Lanes<width> length{};
+};
+
+template <int width>
+LinkLanes<width> link_lanes(const VectorLanes<width>& from, const VectorLanes<width>& to) {
+    const Lanes<width> dx = to.x - from.x;
+    const Lanes<width> dy = to.y - from.y;
+    const Lanes<width> squared = dx * dx + dy * dy;
+    return {{dx, dy}, square_root(squared < shortest_squared ? Lanes<width>{} + shortest_squared : squared)};
+}
+
+// Of the springs of a bundle, in each lane.
+template <int width>
+struct SpringLanes {
+    Lanes<width> stiffness;
+    Lanes<width> rest_length;
+
+    explicit SpringLanes(const Bundle& bundle)
+        : stiffness(bundle.ropes() == 1 ? Lanes<width>{} + bundle.stiffness[0]
+                                        : load<width>(bundle.stiffness.data())),
+          rest_length(bundle.ropes() == 1 ? Lanes<width>{} + bundle.rest_length[0]
+                                          : load<width>(bundle.rest_length.data())) {}
+};
+
+// Hooke's law, force of a link on the mass that it starts from: k (1 - l/|d|) d; zero from lane `count` on.
+template <int width>
+VectorLanes<width> force_lanes(const SpringLanes<width>& spring, const LinkLanes<width>& link,
+                               Eigen::Index count) {
+    const Lanes<width> pull = spring.stiffness * (1.0 - spring.rest_length / link.length);
+    const VectorLanes<width> force{pull * link.d.x, pull * link.d.y};
+    if (count >= width) return force;
+    const auto exists = numbers<width>() < static_cast<double>(count);
+    return {exists ? force.x : Lanes<width>{}, exists ? force.y : Lanes<width>{}};
+}
+
+// a = w (f - f of the link before) + fall.
+template <int width>
+VectorLanes<width> acceleration_lanes(const Lanes<width>& weight, const VectorLanes<width>& force,
+                                      const VectorLanes<width>& force_before,
+                                      const VectorLanes<width>& fall) {
+    return {weight * (force.x - force_before.x) + fall.x, weight * (force.y - force_before.y) + fall.y};
+}
+
+// The last forces before a place in a bundle, lanes x and then y, for the loop that goes on from there.
+using ForcesBefore = std::array<double, 2 * Bundle::most_ropes>;
+
+// Calls move(i, a) with the accelerations of the masses from element i, for every vector from `begin` to
+// `end`, multiples of the width. `move` may move them: the links after them have been measured by then, so
+// that their square roots are under way during the divisions for these.
+template <int width, bool side_by_side, class Move>
+void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Index end, ForcesBefore& before,
+                const Move& move) {
+    constexpr Eigen::Index next = side_by_side ? width : 1;
+    const Eigen::Index links = (bundle.masses() - 1) * next;
+    const double* const x = bundle[place];
+    const double* const y = bundle[place + 1];
+    const SpringLanes<width> spring(bundle);
+    const double* const weight = bundle[Bundle::weight];
+    const double* const fall_x = bundle[Bundle::fall_x];
+    const double* const fall_y = bundle[Bundle::fall_y];
+    const auto link_from = [=](Eigen::Index i) {
+        return link_lanes(load<width>(x + i, y + i), load<width>(x + i + next, y + i + next));
+    };
+    VectorLanes<width> last;
+    if (begin > 0) last = load<width>(before.data(), before.data() + width);
+    LinkLanes<width> link = link_from(begin);
+    for (Eigen::Index i = begin; i < end; i += width) {
+        const LinkLanes<width> link_after = link_from(i + width);
+        const VectorLanes<width> force = force_lanes(spring, link, links - i);
+        const VectorLanes<width> force_before = side_by_side ? last : shifted_up(last, force);
+        move(i, acceleration_lanes<width>(load<width>(weight + i), force, force_before,
+                                          load<width>(fall_x + i, fall_y + i)));
+        last = force;
+        link = link_after;
+    }
+    store(before.data(), before.data() + width, last);
+}
+
+// Goes through `stages` loops over a bundle, stage(j, begin, end, before) each a part of loop j, which may be
+// done once loop j - 1 has got one vector further. A long rope goes through many loops in blocks that stay in
+// the nearest cache, each loop one vector behind the one before it (parallelogram tiling; Wolf, Lam: A Data
+// Locality Optimizing Algorithm, PLDI 1991).
+template <int width, class Stage>
+void in_blocks(const Bundle& bundle, long stages, const Stage& stage) {
+    constexpr Eigen::Index cache = 3584;  // doubles, 28 KB; half or double of it is slower by a twentieth
+    constexpr long most_at_once = 64;
+    const Eigen::Index block = cache / bundle.field_count() / width * width;
+    const Eigen::Index elements = (bundle.masses() * bundle.ropes() + width - 1) / width * width;
+    std::array<ForcesBefore, most_at_once> before;
+    for (long first = 0; first < stages; first += most_at_once) {
+        const long count = std::min(most_at_once, stages - first);
+        const Eigen::Index behind = (count - 1) * width;
+        const Eigen::Index length = elements > 2 * block ? block : elements + behind;
+        for (Eigen::Index begin = 0; begin < elements + behind; begin += length)
+            for (long j = 0; j < count; ++j) {
+                const Eigen::Index from = std::max<Eigen::Index>(0, begin - j * width);
+                const Eigen::Index to = std::min(elements, begin + length - j * width);
+                if (from < to) stage(first + j, from, to, before[static_cast<std::size_t>(j)]);
+            }
+    }
+}
+
+}  // namespace ropesim

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "simulation/bundle.h"
+#include "simulation/instruction_set.h"
+
+#include <array>
+#include <span>
+
+namespace ropesim {
+
+struct Cost;
+struct Scratch;
+struct Stepping;
+
+// What moves a mass once its acceleration a is known: a kick, then a drift,
+//   v' = after (before v + kick a),   x' = x + drift v',   v'' = kept v'.
+// Without a kick, a drift alone.
+struct Leap {
+    double before = 1.0;
+    double kick = 0.0;  // units of time
+    double after = 1.0;
+    double drift = 0.0;  // units of time
+    double kept = 1.0;
+};
+
+// The steps of a splitting method: each is `opening`, which goes by the acceleration that the step before
+// ended with, and then the leaps. Velocities are those of the state times `velocity_unit`.
+struct Leaps {
+    static constexpr std::size_t most = 15;
+
+    Leap opening{};  // none where it neither kicks nor drifts
+    std::array<Leap, most> leaps{};
+    std::size_t count = 0;  // of the leaps of a step
+    long steps = 0;
+    double velocity_unit = 1.0;
+
+    void add(const Leap& leap) { leaps[count++] = leap; }
+};
+using LeapsOf = Leaps(const Rope& rope, const Stepping& stepping);
+
+// Advances the ropes of a bundle by all steps. Adds to the cost what each rope costs.
+void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions, Cost& cost);
+
+// The same for one rope.
+void leap(const Leaps& leaps, const Rope& rope, State& state, Scratch& scratch);
+
+// The `advance` of a method that is made of leaps.
+template <LeapsOf leaps_of>
+void advance_by(const Rope& rope, const Stepping& stepping, State& state, Scratch& scratch) {
+    leap(leaps_of(rope, stepping), rope, state, scratch);
+}
+
+}  // namespace ropesim

@@ -18,20 +18,28 @@ void solve_impulses(const Eigen::ArrayXd& weight, const Points& before, const Po
                     Eigen::ArrayXd& upper, Eigen::ArrayXd& r) {
     const Eigen::Index links = r.size();
     upper.resize(links);
+    double upper_before = 0.0;
+    double r_before = 0.0;
     for (Eigen::Index i = 0; i < links; ++i) {
         const double diagonal = (weight(i) + weight(i + 1)) * dot(after, i, before, i);
         double pivot = diagonal;
         double right = r(i);
         if (i > 0) {
             const double lower = -weight(i) * dot(after, i, before, i - 1);
-            pivot -= lower * upper(i - 1);
-            right -= lower * r(i - 1);
+            pivot -= lower * upper_before;
+            right -= lower * r_before;
         }
         const bool determined = std::abs(pivot) > dependent * std::abs(diagonal);
-        r(i) = determined ? right / pivot : 0.0;
-        upper(i) = determined && i + 1 < links ? -weight(i + 1) * dot(after, i, before, i + 1) / pivot : 0.0;
+        r_before = determined ? right / pivot : 0.0;
+        upper_before =
+            determined && i + 1 < links ? -weight(i + 1) * dot(after, i, before, i + 1) / pivot : 0.0;
+        r(i) = r_before;
+        upper(i) = upper_before;
     }
-    for (Eigen::Index i = links - 2; i >= 0; --i) r(i) -= upper(i) * r(i + 1);
+    for (Eigen::Index i = links - 2; i >= 0; --i) {
+        r_before = r(i) - upper(i) * r_before;
+        r(i) = r_before;
+    }
 }
 
 }  // namespace ropesim

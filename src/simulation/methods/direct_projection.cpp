@@ -56,16 +56,20 @@ void require_rest_lengths(const Rope& rope, const State& state) {
     }
 }
 
-// Adds to each mass, by its weight, the impulses along the links.
+// Adds to each mass, by its weight, the impulses along the links: less that of the link before, then that of
+// the one after.
 void add_impulses(const Eigen::ArrayXd& weight, const Points& links, const Eigen::ArrayXd& impulse,
                   Points& vectors) {
-    for (Index i = 0; i < impulse.size(); ++i) {
-        const double x = impulse(i) * links(i, 0);
-        const double y = impulse(i) * links(i, 1);
-        vectors(i, 0) += weight(i) * x;
-        vectors(i, 1) += weight(i) * y;
-        vectors(i + 1, 0) -= weight(i + 1) * x;
-        vectors(i + 1, 1) -= weight(i + 1) * y;
+    const Index last = impulse.size();
+    for (int axis = 0; axis < 2; ++axis) {
+        double before = impulse(0) * links(0, axis);
+        vectors(0, axis) += weight(0) * before;
+        for (Index i = 1; i < last; ++i) {
+            const double after = impulse(i) * links(i, axis);
+            vectors(i, axis) = (vectors(i, axis) - weight(i) * before) + weight(i) * after;
+            before = after;
+        }
+        vectors(last, axis) -= weight(last) * before;
     }
 }
 

@@ -10,10 +10,16 @@
 namespace ropesim {
 namespace {
 
-double length(const Points& position, Eigen::Index link) {
-    const double dx = position(link + 1, 0) - position(link, 0);
-    const double dy = position(link + 1, 1) - position(link, 1);
-    return std::sqrt(dx * dx + dy * dy);
+Eigen::ArrayXd link_lengths(const Points& position) {
+    const Eigen::Index links = position.rows() - 1;
+    const auto d = position.bottomRows(links) - position.topRows(links);
+    return (d.col(0).square() + d.col(1).square()).sqrt();
+}
+
+double sum(const Eigen::ArrayXd& lengths) {
+    double sum = 0.0;
+    for (const double length : lengths) sum += length;
+    return sum;
 }
 
 // Whether all squared frequencies are below `bound`: D M⁻¹ Dᵀ k - bound is negative definite, where D is
@@ -27,9 +33,7 @@ bool all_below(const Rope& rope, double bound) {
     return pivot < 0.0;
 }
 
-}  // namespace
-
-Energy energy(const Rope& rope, Model model, const State& state) {
+Energy energy(const Rope& rope, Model model, const State& state, const Eigen::ArrayXd& lengths) {
     Energy energy;
     for (Eigen::Index mass = 0; mass < state.position.rows(); ++mass) {
         const double m = rope.mass(mass);
@@ -40,11 +44,17 @@ Energy energy(const Rope& rope, Model model, const State& state) {
             m * (rope.gravity.x() * state.position(mass, 0) + rope.gravity.y() * state.position(mass, 1));
     }
     if (model == Model::inextensible) return energy;
-    for (Eigen::Index link = 0; link + 1 < state.position.rows(); ++link) {
-        const double extension = length(state.position, link) - rope.rest_length;
+    for (const double length : lengths) {
+        const double extension = length - rope.rest_length;
         energy.spring += 0.5 * rope.stiffness * extension * extension;
     }
     return energy;
+}
+
+}  // namespace
+
+Energy energy(const Rope& rope, Model model, const State& state) {
+    return energy(rope, model, state, link_lengths(state.position));
 }
 
 double greatest_distance(const Points& expected, const Points& actual) {
@@ -52,38 +62,27 @@ double greatest_distance(const Points& expected, const Points& actual) {
 }
 
 double longest_link(const Points& position) {
-    double longest = 0.0;
-    for (Eigen::Index link = 0; link + 1 < position.rows(); ++link)
-        longest = std::max(longest, length(position, link));
-    return longest;
+    return link_lengths(position).maxCoeff();
 }
 
 bool links_at_rest_length(const Rope& rope, const Points& position) {
     constexpr double tolerance = 1e-9;
-    for (Eigen::Index link = 0; link + 1 < position.rows(); ++link)
-        if (!(std::abs(length(position, link) - rope.rest_length) <= tolerance * rope.rest_length))
-            return false;
-    return true;
+    return ((link_lengths(position) - rope.rest_length).abs() <= tolerance * rope.rest_length).all();
 }
 
 double rope_length(const Points& position) {
-    double sum = 0.0;
-    for (Eigen::Index link = 0; link + 1 < position.rows(); ++link) sum += length(position, link);
-    return sum;
+    return sum(link_lengths(position));
 }
 
-Eigen::ArrayXd tensions(const Rope& rope, Model model, const State& state) {
+namespace {
+
+// Of rods, by the lengths that they keep.
+Eigen::ArrayXd tensions_of_rods(const Rope& rope, const State& state) {
     const Eigen::Index links = state.position.rows() - 1;
-    Eigen::ArrayXd tension(links);
-    if (model == Model::elastic) {
-        for (Eigen::Index i = 0; i < links; ++i)
-            tension(i) = rope.stiffness * (length(state.position, i) - rope.rest_length);
-        return tension;
-    }
     const Points link = state.position.bottomRows(links) - state.position.topRows(links);
     const Points fall = rope.free_fall.bottomRows(links) - rope.free_fall.topRows(links);
     const Points turn = state.velocity.bottomRows(links) - state.velocity.topRows(links);
-    tension =
+    Eigen::ArrayXd tension =
         link.col(0) * fall.col(0) + link.col(1) * fall.col(1) + turn.col(0).square() + turn.col(1).square();
     for (Eigen::Index i = 0; i < links; ++i)
         if (rope.inverse_mass(i) + rope.inverse_mass(i + 1) == 0.0) tension(i) = 0.0;
@@ -92,9 +91,21 @@ Eigen::ArrayXd tensions(const Rope& rope, Model model, const State& state) {
     return tension * rope.rest_length;
 }
 
+Eigen::ArrayXd tensions(const Rope& rope, Model model, const State& state, const Eigen::ArrayXd& lengths) {
+    return model == Model::elastic ? rope.stiffness * (lengths - rope.rest_length)
+                                   : tensions_of_rods(rope, state);
+}
+
+}  // namespace
+
+Eigen::ArrayXd tensions(const Rope& rope, Model model, const State& state) {
+    return tensions(rope, model, state, link_lengths(state.position));
+}
+
 Diagnostics diagnostics(const Rope& rope, Model model, const State& state) {
-    return {energy(rope, model, state), longest_link(state.position) / rope.rest_length - 1.0,
-            tensions(rope, model, state).maxCoeff(), rope_length(state.position)};
+    const Eigen::ArrayXd lengths = link_lengths(state.position);
+    return {energy(rope, model, state, lengths), lengths.maxCoeff() / rope.rest_length - 1.0,
+            tensions(rope, model, state, lengths).maxCoeff(), sum(lengths)};
 }
 
 double greatest_frequency(const Rope& rope) {

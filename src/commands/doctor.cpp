@@ -4,6 +4,7 @@
 #include "commands/commands.h"
 #include "image/png.h"
 #include "render/lettering.h"
+#include "simulation/instruction_set.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,16 +33,16 @@ std::string libraries() {
            png_library() + ", " + lettering_library();
 }
 
-// What the program is compiled for, and uses: the instructions that every such machine has, so that
-// positions are the same bits on all of them.
+// What the loops over masses use here, of what they are compiled for; positions are the same bits by each.
 std::string instruction_set() {
 #if defined(__x86_64__)
-    return "x86-64, baseline (SSE2)";
+    const std::string architecture = "x86-64";
 #elif defined(__aarch64__)
-    return "AArch64, baseline";
+    const std::string architecture = "AArch64";
 #else
-    return "baseline of this architecture";
+    const std::string architecture = "this architecture";
 #endif
+    return architecture + ", " + std::string(name(widest_instruction_set()));
 }
 
 std::string presence(const char* program, const char* without) {

@@ -6,8 +6,18 @@
 
 namespace ropesim {
 
-Simulation::Simulation(const Scene& scene, Errors errors) : runs_(ropesim::runs(scene)) {
-    for (const Run& run : runs_) moving_.emplace_back(run.rope, *run.method, run.stepping);
+namespace {
+
+std::vector<MovingRope> at_start(const std::vector<Run>& runs) {
+    std::vector<MovingRope> ropes;
+    for (const Run& run : runs) ropes.emplace_back(run.rope, *run.method, run.stepping);
+    return ropes;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, Errors errors)
+    : runs_(ropesim::runs(scene)), moving_(at_start(runs_)) {
     positions_.resize(runs_.size());
     diagnostics_.resize(runs_.size());
     summaries_.resize(runs_.size());
@@ -37,7 +47,7 @@ void Simulation::begin_errors(const Scene& scene) {
 }
 
 void Simulation::advance() {
-    for (MovingRope& rope : moving_) rope.advance();
+    moving_.advance();
     ++frame_;
     look();
 }

@@ -3,7 +3,7 @@
 #include "clip/rope_error.h"
 #include "clip/run.h"
 #include "scene/scene.h"
-#include "simulation/simulate.h"
+#include "simulation/moving_ropes.h"
 
 #include <cstddef>
 #include <memory>
@@ -49,7 +49,7 @@ class Simulation {
 
     long frame_ = 0;
     std::vector<Run> runs_;
-    std::vector<MovingRope> moving_;
+    MovingRopes moving_;
     std::vector<Points> positions_;
     std::vector<Diagnostics> diagnostics_;
     std::vector<Summary> summaries_;

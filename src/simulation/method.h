@@ -21,6 +21,8 @@ struct Stepping {
     double step_size = 1.0 / 64;  // units of time
     double damping_factor = 0.0;  // share of its velocity that a mass loses in each step (the seed's damping)
     int sweeps = 1;               // over the links in each step, where a method sweeps
+
+    bool operator==(const Stepping&) const = default;
 };
 
 // The stepping that divides a frame into equal steps.

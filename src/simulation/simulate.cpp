@@ -26,6 +26,13 @@ void MovingRope::advance() {
     enter(frame_ + 1);
 }
 
+void MovingRope::advance(const Bundle& bundle, Eigen::Index lane, const Leaps& leaps, const Cost& cost) {
+    if (diverged_) return;
+    bundle.take(state_, lane, leaps.velocity_unit);
+    scratch_.cost.evaluations += cost.evaluations;
+    enter(frame_ + 1);
+}
+
 void MovingRope::enter(long frame) {
     frame_ = frame;
     state_.time = static_cast<double>(frame) * (static_cast<double>(stepping_.steps) * stepping_.step_size);

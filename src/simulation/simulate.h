@@ -17,6 +17,13 @@ class MovingRope {
     // Goes on to the next frame; a rope that has diverged stays where it is.
     void advance();
 
+    // The same where the leaps of its method have taken it there, rope `lane` of a bundle, at that cost.
+    void advance(const Bundle& bundle, Eigen::Index lane, const Leaps& leaps, const Cost& cost);
+
+    const Rope& rope() const { return *rope_; }
+    const Method& method() const { return *method_; }
+    const Stepping& stepping() const { return stepping_; }
+
     // In the frame it is at; nothing in it is meant to be looked at where the rope has diverged.
     const State& state() const { return state_; }
     Diagnostics diagnostics() const;

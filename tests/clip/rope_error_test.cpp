@@ -88,8 +88,8 @@ TEST(RopeError, IsLeftOutWhereItWouldCostTooMuchAndWhereLinksDoNotFit) {
     EXPECT_EQ(error_line(unwanted), "");
 }
 
-// In the first frame all masses but the first fall freely, which Euler gets wrong by g h t / 2, 1/128; lighter
-// masses feel their springs more.
+// In the first frame all masses but the first fall freely, which Euler gets wrong by g h t / 2, 1/128;
+// lighter masses feel their springs more.
 TEST(ErrorLine, NamesAllOfAFewRopesAndTheWorstOfMany) {
     Scene scene = seed_of(2);
     Simulation two(scene, Simulation::Errors::estimated);

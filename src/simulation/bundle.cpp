@@ -1,5 +1,7 @@
 #include "simulation/bundle.h"
 
+#include <algorithm>
+
 namespace ropesim {
 namespace {
 
@@ -25,6 +27,10 @@ void Bundle::resize(Eigen::Index masses, Eigen::Index ropes, int field_count) {
     field_count_ = field_count;
     pitch_ = lines * line;
     storage_.resize(static_cast<std::size_t>(lines * field_count));
+}
+
+void Bundle::clear(int field) {
+    std::fill_n((*this)[field], pitch_, 0.0);
 }
 
 void Bundle::put(const Rope& rope, Eigen::Index r) {

@@ -25,6 +25,8 @@ class Bundle {
     double* operator[](int field) { return storage_.data()->elements + field * pitch_; }
     const double* operator[](int field) const { return storage_.data()->elements + field * pitch_; }
 
+    void clear(int field);
+
     // What never changes of rope r.
     void put(const Rope& rope, Eigen::Index r);
 

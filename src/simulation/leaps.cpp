@@ -60,49 +60,90 @@ long stages(const Leaps& leaps) {
     return (moves(leaps.opening) ? 1 : 0) + static_cast<long>(leaps.count) * leaps.steps;
 }
 
-template <bool damped, class L>
-void kick(const Leap& leap, const L& a, L& v) {
-    v = damped ? leap.after * (leap.before * v + leap.kick * a) : v + leap.kick * a;
+enum class Sums { plain, damped, compensated };
+
+// What rounding has taken from places and velocities.
+template <int width>
+struct Lost {
+    VectorLanes<width> x{};
+    VectorLanes<width> v{};
+};
+
+template <Sums sums, class L>
+void add(L& sum, L& lost, const L& term) {
+    if constexpr (sums != Sums::compensated) {
+        sum = sum + term;
+    } else {
+        const L whole = term - lost;
+        const L next = sum + whole;
+        lost = (next - sum) - whole;
+        sum = next;
+    }
 }
 
-template <bool damped, class L>
-void drift(const Leap& leap, L& x, L& v) {
-    x = x + leap.drift * v;
-    if (damped) v = leap.kept * v;
+template <Sums sums, class L>
+void kick(const Leap& leap, const L& a, L& v, L& v_lost) {
+    if constexpr (sums == Sums::damped)
+        v = leap.after * (leap.before * v + leap.kick * a);
+    else
+        add<sums, L>(v, v_lost, leap.kick * a);
 }
 
-template <bool damped, int width>
-void move(const Leap& leap, const VectorLanes<width>& a, VectorLanes<width>& x, VectorLanes<width>& v) {
+template <Sums sums, class L>
+void drift(const Leap& leap, L& x, L& v, L& x_lost) {
+    add<sums, L>(x, x_lost, leap.drift * v);
+    if (sums == Sums::damped) v = leap.kept * v;
+}
+
+template <Sums sums, int width>
+void move(const Leap& leap, const VectorLanes<width>& a, VectorLanes<width>& x, VectorLanes<width>& v,
+          Lost<width>& lost) {
     if (leap.kick != 0.0) {
-        kick<damped>(leap, a.x, v.x);
-        kick<damped>(leap, a.y, v.y);
+        kick<sums>(leap, a.x, v.x, lost.v.x);
+        kick<sums>(leap, a.y, v.y, lost.v.y);
     }
     if (leap.drift != 0.0) {
-        drift<damped>(leap, x.x, v.x);
-        drift<damped>(leap, x.y, v.y);
+        drift<sums>(leap, x.x, v.x, lost.x.x);
+        drift<sums>(leap, x.y, v.y, lost.x.y);
     }
 }
 
-template <bool damped, int width>
-void move(const Stage& stage, const VectorLanes<width>& a, VectorLanes<width>& x, VectorLanes<width>& v) {
-    move<damped>(stage.first, a, x, v);
-    move<damped>(stage.second, a, x, v);
+template <Sums sums, int width>
+void move(const Stage& stage, const VectorLanes<width>& a, VectorLanes<width>& x, VectorLanes<width>& v,
+          Lost<width>& lost) {
+    move<sums>(stage.first, a, x, v, lost);
+    move<sums>(stage.second, a, x, v, lost);
 }
 
-template <int width, bool side_by_side, bool damped>
+// Fields of a bundle that compensated sums need behind the others: what is lost of x, y, vx and vy.
+constexpr int lost_fields = 4;
+
+template <int width, bool side_by_side, Sums sums>
 void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
     double* const x = bundle[Bundle::x];
     double* const y = bundle[Bundle::y];
     double* const vx = bundle[Bundle::vx];
     double* const vy = bundle[Bundle::vy];
+    std::array<double*, lost_fields> lost_field{};
+    if constexpr (sums == Sums::compensated)
+        for (std::size_t i = 0; i < lost_fields; ++i)
+            lost_field[i] = bundle[Bundle::fields + static_cast<int>(i)];
     in_blocks<width>(
         bundle, stages(leaps), [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
             const auto leap_at = [=, now = stage(leaps, j)](Eigen::Index i, const VectorLanes<width>& a) {
                 VectorLanes<width> position = load<width>(x + i, y + i);
                 VectorLanes<width> velocity = load<width>(vx + i, vy + i);
-                move<damped>(now, a, position, velocity);
+                Lost<width> lost;
+                if constexpr (sums == Sums::compensated)
+                    lost = {load<width>(lost_field[0] + i, lost_field[1] + i),
+                            load<width>(lost_field[2] + i, lost_field[3] + i)};
+                move<sums>(now, a, position, velocity, lost);
                 store(x + i, y + i, position);
                 store(vx + i, vy + i, velocity);
+                if constexpr (sums == Sums::compensated) {
+                    store(lost_field[0] + i, lost_field[1] + i, lost.x);
+                    store(lost_field[2] + i, lost_field[3] + i, lost.v);
+                }
             };
             if (stage(leaps, j).first.kick != 0.0)
                 accelerate<width, side_by_side>(bundle, Bundle::x, begin, end, before, leap_at);
@@ -112,13 +153,14 @@ void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
 }
 
 // A rope of that many vectors stays in registers through all leaps.
-template <int width, int vectors, bool damped>
+template <int width, int vectors, Sums sums>
 void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
     const SpringLanes<width> spring(bundle);
     const auto links = static_cast<std::size_t>(bundle.masses() - 1);
     std::array<Lanes<width>, vectors> weight;
     std::array<VectorLanes<width>, vectors> fall, v;
     std::array<VectorLanes<width>, vectors + 1> x, force_before;
+    std::array<Lost<width>, vectors> lost;
     for (std::size_t i = 0; i < vectors; ++i) {
         weight[i] = load<width>(bundle[Bundle::weight] + i * width);
         fall[i] = load<width>(bundle[Bundle::fall_x] + i * width, bundle[Bundle::fall_y] + i * width);
@@ -132,9 +174,9 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
                                               static_cast<Eigen::Index>(links - i * width));
         for (std::size_t i = 0; i < vectors; ++i) {
             const VectorLanes<width>& force = force_before[i + 1];
-            move<damped>(
+            move<sums>(
                 now, acceleration_lanes<width>(weight[i], force, shifted_up(force_before[i], force), fall[i]),
-                x[i], v[i]);
+                x[i], v[i], lost[i]);
         }
     }
     for (std::size_t i = 0; i < vectors; ++i) {
@@ -143,26 +185,36 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
     }
 }
 
-template <int width, bool damped>
+template <int width, Sums sums>
 void leap_in_lanes(const Leaps& leaps, Bundle& bundle) {
-    if (bundle.ropes() > 1) return leap_through_memory<width, true, damped>(leaps, bundle);
-    if (bundle.masses() <= width) return leap_in_registers<width, 1, damped>(leaps, bundle);
-    if (bundle.masses() <= 2 * width) return leap_in_registers<width, 2, damped>(leaps, bundle);
-    leap_through_memory<width, false, damped>(leaps, bundle);
+    if (bundle.ropes() > 1) return leap_through_memory<width, true, sums>(leaps, bundle);
+    if (bundle.masses() <= width) return leap_in_registers<width, 1, sums>(leaps, bundle);
+    if (bundle.masses() <= 2 * width) return leap_in_registers<width, 2, sums>(leaps, bundle);
+    leap_through_memory<width, false, sums>(leaps, bundle);
+}
+
+template <Sums sums>
+void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions) {
+    in_lanes(instructions, [&](auto width) { leap_in_lanes<width, sums>(leaps, bundle); });
 }
 
 }  // namespace
 
+int fields(const Leaps& leaps) {
+    return Bundle::fields + (leaps.compensated ? lost_fields : 0);
+}
+
 void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions, Cost& cost) {
     cost.evaluations += evaluations(leaps);
-    in_lanes(instructions, [&](auto width) {
-        damps(leaps) ? leap_in_lanes<width, true>(leaps, bundle) : leap_in_lanes<width, false>(leaps, bundle);
-    });
+    if (damps(leaps)) return leap<Sums::damped>(leaps, bundle, instructions);
+    if (!leaps.compensated) return leap<Sums::plain>(leaps, bundle, instructions);
+    for (int field = Bundle::fields; field < fields(leaps); ++field) bundle.clear(field);
+    leap<Sums::compensated>(leaps, bundle, instructions);
 }
 
 void leap(const Leaps& leaps, const Rope& rope, State& state, Scratch& scratch) {
     Bundle& bundle = scratch.bundle;
-    bundle.resize(rope.start.rows(), 1);
+    bundle.resize(rope.start.rows(), 1, fields(leaps));
     bundle.put(rope, 0);
     bundle.put(state, 0, leaps.velocity_unit);
     leap(leaps, bundle, scratch.instructions, scratch.cost);

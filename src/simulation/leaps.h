@@ -34,11 +34,19 @@ struct Leaps {
     long steps = 0;
     double velocity_unit = 1.0;
 
+    // Whether what rounding takes from places and velocities is given back at the next leap (compensated
+    // summation; Kahan: Further Remarks on Reducing Truncation Errors, Comm. ACM 8, 1965). Where the errors
+    // of a method are that small, and where nothing is damped.
+    bool compensated = false;
+
     void add(const Leap& leap) { leaps[count++] = leap; }
 };
 using LeapsOf = Leaps(const Rope& rope, const Stepping& stepping);
 
-// Advances the ropes of a bundle by all steps. Adds to the cost what each rope costs.
+// Fields that a bundle needs for them.
+int fields(const Leaps& leaps);
+
+// Advances the ropes of a bundle, of that many fields, by all steps. Adds to the cost what each rope costs.
 void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions, Cost& cost);
 
 // The same for one rope.

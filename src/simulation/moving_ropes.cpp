@@ -41,7 +41,7 @@ MovingRopes::MovingRopes(std::vector<MovingRope> ropes) : ropes_(std::move(ropes
     for (SideBySide& each : side_by_side_) {
         const MovingRope& first = ropes_[each.ropes.front()];
         each.leaps = first.method().leaps(first.rope(), first.stepping());
-        each.bundle.resize(first.rope().start.rows(), lanes(widest_instruction_set()));
+        each.bundle.resize(first.rope().start.rows(), lanes(widest_instruction_set()), fields(each.leaps));
         for (std::size_t lane = 0; lane < each.ropes.size(); ++lane)
             each.bundle.put(ropes_[each.ropes[lane]].rope(), static_cast<Eigen::Index>(lane));
     }

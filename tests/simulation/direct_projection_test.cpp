@@ -43,8 +43,8 @@ TEST(DirectProjection, KeepsEveryLinkAtItsLength) {
     }
 }
 
-// A link that turns by more than a right angle in a step is beyond Newton's iteration. In halves of the step it
-// is not, and the links keep their length all the same.
+// A link that turns by more than a right angle in a step is beyond Newton's iteration. In halves of the step
+// it is not, and the links keep their length all the same.
 TEST(DirectProjection, TakesAStepThatIsTooLargeInHalves) {
     for (const int masses : {16, 128}) {
         for (const long steps : {1, 2, 3}) {

@@ -115,7 +115,7 @@ void expect_the_plain_bits_side_by_side(std::string_view method, const std::vect
     const Stepping steps = stepping(1.0, 20);
     const Leaps leaps = find_method(method).leaps(ropes.front(), steps);
     Bundle bundle;
-    bundle.resize(ropes.front().start.rows(), lanes(instructions));
+    bundle.resize(ropes.front().start.rows(), lanes(instructions), fields(leaps));
     for (std::size_t r = 0; r < ropes.size(); ++r) {
         bundle.put(ropes[r], static_cast<Eigen::Index>(r));
         bundle.put(moving(ropes[r]), static_cast<Eigen::Index>(r), leaps.velocity_unit);

@@ -74,16 +74,29 @@ void blanes_moan_4(const Rope& rope, const Stepping& stepping, State& state) {
     }
 }
 
+// A sum that is given back what rounding takes from it, where that is wanted.
+void add(Points& sum, Points& lost, const Points& term, bool compensated) {
+    const Points whole = compensated ? Points(term - lost) : term;
+    const Points next = sum + whole;
+    lost = (next - sum) - whole;
+    sum = next;
+}
+
 void blanes_moan_6(const Rope& rope, const Stepping& stepping, State& state) {
     const double h = stepping.step_size;
     const double damping = damping_per_step(rope, stepping);
+    const bool compensated = damping == 0.0;
+    Points lost_position = Points::Zero(rope.start.rows(), 2);
+    Points lost_velocity = lost_position;
     for (long step = 0; step < stepping.steps; ++step) {
         for (int i = 0; i < 15; ++i) {
             const double share = BlanesMoan6::drifts[i];
-            state.position += share * h * mean_decay(share * damping) * state.velocity;
+            add(state.position, lost_position, share * h * mean_decay(share * damping) * state.velocity,
+                compensated);
             state.velocity *= decay(share * damping);
             if (i < 14)
-                state.velocity += BlanesMoan6::kicks[i] * h * plain_accelerations(rope, state.position);
+                add(state.velocity, lost_velocity,
+                    BlanesMoan6::kicks[i] * h * plain_accelerations(rope, state.position), compensated);
         }
     }
 }

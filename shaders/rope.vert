@@ -3,6 +3,7 @@
 // A capsule: all points within `radius` of the segment. Pixels, from the picture's top left corner.
 layout(location = 0) in vec4 segment;  // begin, end
 layout(location = 1) in float radius;
+layout(location = 2) in vec4 into;  // 1 in the channel of the framebuffer that the coverage goes to
 
 uniform vec2 picture;  // width, height
 
@@ -10,6 +11,7 @@ flat out vec2 begin;
 flat out vec2 along;             // end - begin
 flat out float inverse_square;   // 1 / |along|^2, or 0 for a point
 flat out float reach;            // distance at which coverage ends
+flat out vec4 channel;
 
 void main() {
     begin = segment.xy;
@@ -18,6 +20,7 @@ void main() {
     bool point = square < 1e-8;
     inverse_square = point ? 0.0 : 1.0 / square;
     reach = radius + 0.5;
+    channel = into;
 
     // One pixel more on every side than the capsule: the quad's own edges never decide on a pixel.
     float margin = reach + 0.5;

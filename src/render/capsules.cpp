@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ropesim {
 namespace {
@@ -30,14 +31,52 @@ Eigen::Index finite_points(const Eigen::ArrayX2d& points) {
     return count;
 }
 
+// Adds the tiles that a capsule may cover. In each row of tiles that is as far as the part of the segment
+// goes from which a capsule reaches into the row.
+void add_tiles(const Capsule& capsule, Tiles& tiles) {
+    const double reach = capsule.radius + margin;
+    auto [x, y] = capsule.begin;
+    auto [end_x, end_y] = capsule.end;
+    if (y > end_y) {
+        std::swap(x, end_x);
+        std::swap(y, end_y);
+    }
+    const double slope = end_y - y < 1.0F ? 0.0 : static_cast<double>(end_x - x) / (end_y - y);
+    const auto row_of = [&](double at) {
+        return static_cast<int>(std::clamp(at / tile_side, 0.0, tiles.rows() - 1.0));
+    };
+    const auto pixel_of = [&](double at) {
+        return static_cast<int>(std::clamp(at, -1.0, 1.0 * tile_side * tiles.columns()));
+    };
+    const int last = row_of(end_y + reach);
+    for (int row = row_of(y - reach); row <= last; ++row) {
+        double left = x;
+        double right = end_x;
+        if (slope != 0.0) {
+            const double top = std::clamp<double>(row * tile_side - reach, y, end_y);
+            const double bottom = std::clamp<double>((row + 1) * tile_side + reach, y, end_y);
+            left = x + slope * (top - y);
+            right = x + slope * (bottom - y);
+        }
+        if (left > right) std::swap(left, right);
+        tiles.add(
+            {pixel_of(left - reach), row * tile_side, pixel_of(right + reach) + 1, row * tile_side + 1});
+    }
+}
+
 }  // namespace
 
-std::vector<Capsule> capsules(const Polyline& polyline, const Camera& camera, int width, int height) {
-    std::vector<Capsule> capsules;
+void append_capsules(const Polyline& polyline, std::size_t channel, const Camera& camera, int width,
+                     int height, std::vector<Capsule>& capsules, Tiles& covered) {
     const auto append = [&](Segment segment, double radius) {
         if (radius <= 0.0 || !clip(segment, seen(camera, width, height, radius))) return;
-        capsules.push_back({pixel(segment.begin, camera, width, height),
-                            pixel(segment.end, camera, width, height), static_cast<float>(radius)});
+        Capsule capsule{pixel(segment.begin, camera, width, height),
+                        pixel(segment.end, camera, width, height),
+                        static_cast<float>(radius),
+                        {}};
+        capsule.channel[channel] = 255;
+        capsules.push_back(capsule);
+        add_tiles(capsule, covered);
     };
     const Eigen::Index points = finite_points(polyline.points);
     for (Eigen::Index i = 0; i < points; ++i) {
@@ -45,20 +84,6 @@ std::vector<Capsule> capsules(const Polyline& polyline, const Camera& camera, in
         append({point, point}, 0.5 * polyline.point_size);
         if (i + 1 < points) append({point, polyline.points.row(i + 1)}, 0.5 * polyline.line_width);
     }
-    return capsules;
-}
-
-PixelBox covered(const std::vector<Capsule>& capsules, int width, int height) {
-    PixelBox box;
-    for (const Capsule& capsule : capsules) {
-        const double reach = capsule.radius + margin;
-        const auto [left, right] = std::minmax(capsule.begin[0], capsule.end[0]);
-        const auto [top, bottom] = std::minmax(capsule.begin[1], capsule.end[1]);
-        box = united(
-            box, {static_cast<int>(std::floor(left - reach)), static_cast<int>(std::floor(top - reach)),
-                  static_cast<int>(std::ceil(right + reach)), static_cast<int>(std::ceil(bottom + reach))});
-    }
-    return intersection(box, {0, 0, width, height});
 }
 
 }  // namespace ropesim

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "render/pixel_box.h"
+#include "image/tiles.h"
 #include "render/renderer.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ropesim {
@@ -15,13 +17,12 @@ struct Capsule {
     std::array<float, 2> begin;
     std::array<float, 2> end;
     float radius;
+    std::array<std::uint8_t, 4> channel;  // 255 in the channel of the framebuffer that its coverage goes to
 };
 
-// Links and masses of a polyline that reach into a picture of width x height pixels, cut to the picture
-// and a margin that their coverage does not reach across.
-std::vector<Capsule> capsules(const Polyline& polyline, const Camera& camera, int width, int height);
-
-// The pixels that capsules may cover, within the picture.
-PixelBox covered(const std::vector<Capsule>& capsules, int width, int height);
+// Appends the links and masses of a polyline that reach into a picture of width x height pixels, cut to the
+// picture and a margin that their coverage does not reach across, and adds the tiles that they may cover.
+void append_capsules(const Polyline& polyline, std::size_t channel, const Camera& camera, int width,
+                     int height, std::vector<Capsule>& capsules, Tiles& covered);
 
 }  // namespace ropesim

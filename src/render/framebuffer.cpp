@@ -1,5 +1,7 @@
 #include "render/framebuffer.h"
 
+#include "image/tiles.h"
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -42,48 +44,31 @@ GLuint bound_framebuffer(const Gl& gl, int width, int height) {
     return framebuffer;
 }
 
-// The first three of every four bytes.
-void drop_alpha(const std::uint8_t* rgba, int pixels, std::uint8_t* rgb) {
-    for (int i = 0; i < pixels; ++i) {
-        for (int channel = 0; channel < 3; ++channel) rgb[3 * i + channel] = rgba[4 * i + channel];
-    }
-}
-
 }  // namespace
 
-Framebuffer::Framebuffer(const Gl& gl, int width, int height, Color background) : gl_(gl) {
+Framebuffer::Framebuffer(const Gl& gl, int width, int height) : gl_(gl) {
     check_size(gl, width, height);
-    empty_ = bound_framebuffer(gl, width, height);
-    gl.ClearColor(static_cast<float>(background[0]) / 255.0F, static_cast<float>(background[1]) / 255.0F,
-                  static_cast<float>(background[2]) / 255.0F, 0.0F);
+    empty_ = bound_framebuffer(gl, width, std::min(height, tile_side));
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     drawn_ = bound_framebuffer(gl, width, height);
     gl.Viewport(0, 0, width, height);
-    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
-void Framebuffer::begin(const PixelBox& box) const {
-    gl_.Disable(GL_SCISSOR_TEST);
+void Framebuffer::clear(std::span<const PixelBox> boxes) const {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, empty_);
-    gl_.BlitFramebuffer(box.left, box.top, box.right, box.bottom, box.left, box.top, box.right, box.bottom,
-                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    for (const PixelBox& box : boxes)
+        gl_.BlitFramebuffer(box.left, 0, box.right, box.bottom - box.top, box.left, box.top, box.right,
+                            box.bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
-    gl_.Enable(GL_SCISSOR_TEST);
-    gl_.Scissor(box.left, box.top, box.right - box.left, box.bottom - box.top);
 }
 
-void Framebuffer::read(const PixelBox& box, Image& image) {
+std::span<const std::uint8_t> Framebuffer::read(const PixelBox& box) {
     const int width = box.right - box.left;
     const int height = box.bottom - box.top;
-    const auto row_bytes = 4 * static_cast<std::size_t>(width);
-    rgba_.resize(row_bytes * static_cast<std::size_t>(height));
-    gl_.ReadPixels(box.left, box.top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
-    for (int row = 0; row < height; ++row) {
-        const auto first = static_cast<std::size_t>(box.top + row) * static_cast<std::size_t>(image.width) +
-                           static_cast<std::size_t>(box.left);
-        drop_alpha(rgba_.data() + row_bytes * static_cast<std::size_t>(row), width,
-                   image.rgb.data() + 3 * first);
-    }
+    coverage_.resize(channels * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    gl_.ReadPixels(box.left, box.top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, coverage_.data());
+    return coverage_;
 }
 
 }  // namespace ropesim

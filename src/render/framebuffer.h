@@ -1,32 +1,35 @@
 #pragma once
 
-#include "image/image.h"
+#include "image/pixel_box.h"
 #include "render/gl.h"
-#include "render/pixel_box.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ropesim {
 
-// What is drawn into: RGBA bytes, the picture's top row first. Alpha is no part of the picture: the rope
-// painter gathers coverage in it and leaves it zero.
+// What is drawn into: for each pixel of the picture four channels of coverage, its top row first.
 class Framebuffer {
   public:
+    // How many ropes can be drawn at once.
+    static constexpr std::size_t channels = 4;
+
     // Throws std::runtime_error where the driver allows no picture of this size (with its limit).
-    Framebuffer(const Gl& gl, int width, int height, Color background);
+    Framebuffer(const Gl& gl, int width, int height);
 
-    // Fills the box with the background. What is drawn from here on changes nothing outside the box.
-    void begin(const PixelBox& box) const;
+    // Covers nothing in these boxes, none of which is higher than a tile.
+    void clear(std::span<const PixelBox> boxes) const;
 
-    // Copies the box into the same place of an image of the same size.
-    void read(const PixelBox& box, Image& image);
+    // The coverage of a box that was cleared: its rows from the top, each byte 255 where all is covered.
+    // Valid until the next call.
+    std::span<const std::uint8_t> read(const PixelBox& box);
 
   private:
     const Gl& gl_;
     GLuint drawn_ = 0;
-    GLuint empty_ = 0;  // background alone; the driver clears a part by a shader, slower than this copies
-    std::vector<std::uint8_t> rgba_;
+    GLuint empty_ = 0;  // a row of tiles; the driver clears a part by a shader, slower than this copies
+    std::vector<std::uint8_t> coverage_;
 };
 
 }  // namespace ropesim

@@ -4,34 +4,113 @@
 #include "render/context.h"
 #include "render/framebuffer.h"
 #include "render/gl.h"
+#include "render/mix.h"
 #include "render/rope_painter.h"
 #include "render/words_painter.h"
 
+#include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 namespace ropesim {
 
+namespace {
+
+constexpr std::size_t channels = Framebuffer::channels;
+
+// Ropes that are drawn at once, each in a channel of its own.
+struct Group {
+    std::vector<Capsule> capsules;
+    std::vector<Color> colors;
+    Tiles covered;
+};
+
+std::uint8_t* pixels_from(Image& image, int x, int y) {
+    return &image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x))];
+}
+
+// Mixes colours into a row of pixels, one for each channel of coverage, in their order.
+void mix_row(std::span<const Color> colors, const std::uint8_t* coverage, int pixels, std::uint8_t* rgb) {
+    for (int i = 0; i < pixels; ++i, coverage += channels, rgb += 3)
+        for (std::size_t channel = 0; channel < colors.size(); ++channel)
+            if (coverage[channel] > 0) mix(colors[channel], coverage[channel], rgb);
+}
+
+bool covers_any(const std::uint8_t* coverage, int pixels) {
+    return std::any_of(coverage, coverage + channels * static_cast<std::size_t>(pixels),
+                       [](std::uint8_t byte) { return byte > 0; });
+}
+
+// The same in a box of the picture, most of which nothing covers.
+void mix_box(std::span<const Color> colors, const std::uint8_t* coverage, const PixelBox& box, Image& image) {
+    constexpr int at_once = 16;  // pixels
+    for (int y = box.top; y < box.bottom; ++y) {
+        for (int x = box.left; x < box.right; x += at_once) {
+            const int pixels = std::min(at_once, box.right - x);
+            if (covers_any(coverage, pixels)) mix_row(colors, coverage, pixels, pixels_from(image, x, y));
+            coverage += channels * static_cast<std::size_t>(pixels);
+        }
+    }
+}
+
+void fill(Color color, const PixelBox& box, Image& image) {
+    for (int y = box.top; y < box.bottom; ++y) {
+        std::uint8_t* rgb = pixels_from(image, box.left, y);
+        for (int x = box.left; x < box.right; ++x, rgb += 3) std::copy(color.begin(), color.end(), rgb);
+    }
+}
+
+}  // namespace
+
 struct Renderer::Parts {
-    Parts(int width, int height, const Camera& seen, Color background, std::span<const Words> words)
+    Parts(int width, int height, const Camera& seen, Color of_background, std::span<const Words> words)
         : camera(seen),
+          background(of_background),
           context(make_context()),
           gl(load_gl(*context)),
-          framebuffer(gl, width, height, background),
+          framebuffer(gl, width, height),
           rope_painter(gl, width, height),
-          words_painter(gl, width, height, words),
+          words_painter(width, height, words),
           image(filled(width, height, background)),
-          drawn{0, 0, width, height} {}
+          ropes(words_painter.covered()),  // so that the first picture changes them
+          inked(width, height),
+          changed(width, height) {}
+
+    std::vector<Group> grouped(std::span<const Polyline> polylines) const;
+    void draw(const Group& group);
 
     Camera camera;
+    Color background;
     std::unique_ptr<OffscreenContext> context;
     Gl gl;
     Framebuffer framebuffer;
     RopePainter rope_painter;
     WordsPainter words_painter;
     Image image;
-    PixelBox drawn;  // where the framebuffer may hold something else than background and words
+    Tiles ropes;    // that ropes may cover
+    Tiles inked;    // that ropes or words may cover
+    Tiles changed;  // that may differ from the picture before
 };
+
+std::vector<Group> Renderer::Parts::grouped(std::span<const Polyline> polylines) const {
+    std::vector<Group> groups;
+    for (const Polyline& polyline : polylines) {
+        if (groups.empty() || groups.back().colors.size() == channels)
+            groups.push_back({{}, {}, Tiles(image.width, image.height)});
+        Group& group = groups.back();
+        append_capsules(polyline, group.colors.size(), camera, image.width, image.height, group.capsules,
+                        group.covered);
+        group.colors.push_back(polyline.color);
+    }
+    return groups;
+}
+
+void Renderer::Parts::draw(const Group& group) {
+    const std::vector<PixelBox> boxes = group.covered.runs();
+    framebuffer.clear(boxes);
+    rope_painter.paint(group.capsules);
+    for (const PixelBox& box : boxes) mix_box(group.colors, framebuffer.read(box).data(), box, image);
+}
 
 Renderer::Renderer(int width, int height, const Camera& camera, Color background,
                    std::span<const Words> words)
@@ -39,29 +118,34 @@ Renderer::Renderer(int width, int height, const Camera& camera, Color background
 
 Renderer::~Renderer() = default;
 
-// Only what the ropes cover, in this picture or the one before, is cleared, drawn and read.
+// Only what the ropes may cover, in this picture or the one before, is drawn anew.
 const Image& Renderer::draw(std::span<const Polyline> polylines) {
     Parts& parts = *parts_;
-    Image& image = parts.image;
-    std::vector<std::pair<std::vector<Capsule>, Color>> ropes;
-    PixelBox ropes_box;
-    for (const Polyline& polyline : polylines) {
-        ropes.emplace_back(capsules(polyline, parts.camera, image.width, image.height), polyline.color);
-        ropes_box = united(ropes_box, covered(ropes.back().first, image.width, image.height));
-    }
-    const PixelBox changed = united(parts.drawn, ropes_box);
-    parts.drawn = ropes_box;
-    if (changed.empty()) return image;
+    const std::vector<Group> groups = parts.grouped(polylines);
+    parts.changed = parts.ropes;
+    parts.ropes.clear();
+    for (const Group& group : groups) parts.ropes.add(group.covered);
+    parts.changed.add(parts.ropes);
+    parts.inked = parts.ropes;
+    parts.inked.add(parts.words_painter.covered());
 
+    const std::vector<PixelBox> boxes = parts.changed.runs();
+    for (const PixelBox& box : boxes) fill(parts.background, box, parts.image);
     parts.context->make_current();
-    parts.framebuffer.begin(changed);
-    for (const auto& [capsules, color] : ropes) parts.rope_painter.paint(capsules, color);
-    if (!intersection(changed, parts.words_painter.covered()).empty()) parts.words_painter.paint();
-    parts.framebuffer.read(changed, image);
+    for (const Group& group : groups) parts.draw(group);
     if (const GLenum error = parts.gl.GetError(); error != GL_NO_ERROR) {
         throw std::runtime_error("the OpenGL driver failed to draw: error " + std::to_string(error));
     }
-    return image;
+    for (const PixelBox& box : boxes) parts.words_painter.paint(box, parts.image);
+    return parts.image;
+}
+
+const Tiles& Renderer::inked() const {
+    return parts_->inked;
+}
+
+const Tiles& Renderer::changed() const {
+    return parts_->changed;
 }
 
 std::string Renderer::description() const {

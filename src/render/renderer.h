@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/tiles.h"
 
 #include <Eigen/Core>
 
@@ -35,9 +36,9 @@ struct Words {
 // several may live side by side in one thread.
 //
 // A rope is the union of its links and masses: a pixel whose centre lies at distance d from the nearest of
-// them, of that one's radius r, is covered by clamp(r + 1/2 - d, 0, 1), and its colour is mixed with what
-// was there by that part. Same input, same bytes, whatever the way to make the context, the number of
-// threads and the processor.
+// them, of that one's radius r, is covered by clamp(r + 1/2 - d, 0, 1), which OpenGL computes; its colour is
+// mixed with what was there by that part. Same input, same bytes, whatever the way to make the context, the
+// number of threads and the processor.
 class Renderer {
   public:
     // What is the same in every frame: the size, the background, the words. Throws std::runtime_error
@@ -54,6 +55,11 @@ class Renderer {
     // any numbers, however far outside; a polyline with a non-finite coordinate is drawn up to there.
     // Throws std::runtime_error where the driver fails. The image is valid until the next call.
     const Image& draw(std::span<const Polyline> polylines);
+
+    // The tiles of that picture outside which all is background, and those outside which it is the picture
+    // before it (at first: the background).
+    const Tiles& inked() const;
+    const Tiles& changed() const;
 
     // For reports, such as "OSMesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 3.3".
     std::string description() const;

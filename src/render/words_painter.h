@@ -1,10 +1,10 @@
 #pragma once
 
-#include "render/gl.h"
-#include "render/pixel_box.h"
+#include "image/image.h"
+#include "image/tiles.h"
+#include "render/lettering.h"
 #include "render/renderer.h"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,33 +13,23 @@ namespace ropesim {
 // Draws lines of words in the picture's top left corner.
 class WordsPainter {
   public:
-    // Throws std::runtime_error where a shader does not compile.
-    WordsPainter(const Gl& gl, int width, int height, std::span<const Words> words);
+    WordsPainter(int width, int height, std::span<const Words> words);
 
-    // The words over what is there; alpha stays as it is.
-    void paint() const;
+    // The words over what is there, within a box of the picture.
+    void paint(const PixelBox& box, Image& image) const;
 
-    // The pixels that they may cover, within the picture.
-    const PixelBox& covered() const { return covered_; }
+    // The tiles that they may cover.
+    const Tiles& covered() const { return covered_; }
 
   private:
     struct Line {
-        PixelBox box;     // in the picture; pixels
-        int texture_row;  // of its top
+        PixelBox box;  // in the picture; its coverage may reach beyond
+        Lettering lettering;
         Color color;
     };
 
-    void prepare(const std::vector<std::uint8_t>& coverage, int width, int height);
-
-    const Gl& gl_;
-    PixelBox covered_;
+    Tiles covered_;
     std::vector<Line> lines_;
-    GLuint program_ = 0;
-    GLuint vertices_ = 0;
-    GLuint texture_ = 0;
-    GLint box_ = -1;
-    GLint offset_ = -1;
-    GLint color_ = -1;
 };
 
 }  // namespace ropesim

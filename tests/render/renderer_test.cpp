@@ -309,6 +309,41 @@ TEST(Pictures, DoNotDependOnThoseBefore) {
     }
 }
 
+// Whether two pictures are the same outside of some tiles.
+bool same_outside(const Tiles& tiles, const Image& a, const Image& b) {
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            if (!tiles.contains(x / tile_side, y / tile_side) && pixel(a, x, y) != pixel(b, x, y))
+                return false;
+    return true;
+}
+
+// Lines at all angles, across the picture, out of it and along its edges, thin and thick.
+TEST(Pictures, DifferFromOthersOnlyInTheTilesThatTheySay) {
+    constexpr int side = 300;
+    const Color background = {10, 20, 30};
+    const Image empty = filled(side, side, background);
+    Renderer renderer(side, side, {{0.0, 0.0}, side}, background, title);
+    Image before = empty;
+    std::size_t tiles = 0;
+    for (int frame = 0; frame < 300; ++frame) {
+        const double angle = 0.37 * frame;
+        const Eigen::Array2d begin(150.0 * std::sin(0.11 * frame), 150.0 * std::cos(0.23 * frame));
+        const Eigen::Array2d end = begin + (frame % 210) * Eigen::Array2d(std::cos(angle), std::sin(angle));
+        const double thick = frame % 7;
+        const Image& image = renderer.draw({{line({begin, end}, thick, 3.0 * (frame % 5))}});
+        EXPECT_TRUE(same_outside(renderer.inked(), image, empty)) << frame;
+        EXPECT_TRUE(same_outside(renderer.changed(), image, before)) << frame;
+        before = image;
+        for (int row = 0; row < renderer.changed().rows(); ++row) {
+            std::vector<PixelBox> boxes;
+            renderer.changed().runs(row, boxes);
+            for (const PixelBox& box : boxes) tiles += static_cast<std::size_t>(box.right - box.left);
+        }
+    }
+    EXPECT_LT(tiles, 300U * side * 10 / 2);  // of a picture of ten rows of tiles: less than half, on average
+}
+
 std::string error_of_size(int columns, int rows) {
     try {
         Renderer(columns, rows, plain, black, {});

@@ -1,4 +1,4 @@
-#include "render/pixel_box.h"
+#include "image/pixel_box.h"
 
 #include <algorithm>
 

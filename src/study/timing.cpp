@@ -7,13 +7,13 @@
 namespace ropesim {
 namespace {
 
-constexpr int rounds = 7;
-constexpr int rounds_of_slow = 3;
+constexpr int rounds = 6;
+constexpr int rounds_of_slow = 2;
 constexpr double slow = 0.03;      // seconds
 constexpr double shortest = 2e-3;  // seconds of a turn: a clock tick and a call are far below a thousandth
 
 bool takes_turn(int round, double estimate) {
-    return estimate < slow || round % (rounds / rounds_of_slow) == 0;
+    return estimate < slow || round % (rounds / rounds_of_slow) == 1;
 }
 
 double seconds_of(const std::function<void()>& task, double estimate) {
@@ -53,6 +53,8 @@ long turns(const std::vector<double>& estimates) {
 std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks,
                             const std::vector<double>& estimates, const std::function<void()>& turn_done) {
     std::vector<std::vector<double>> seconds(tasks.size());
+    for (std::size_t task = 0; task < tasks.size(); ++task)
+        if (estimates[task] >= slow) seconds[task].push_back(estimates[task]);
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t task = 0; task < tasks.size(); ++task) {
             if (!takes_turn(round, estimates[task])) continue;

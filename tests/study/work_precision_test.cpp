@@ -180,7 +180,7 @@ TEST(TimesOf, LetsEveryTaskHaveItsTurns) {
     const std::vector<double> estimates{1.0, 1e-3};
     const std::vector<Times> times = times_of(tasks, estimates, [&] { ++turns_done; });
     EXPECT_EQ(turns_done, turns(estimates));
-    EXPECT_EQ(times[0].repetitions, runs[0]);  // slow: once in each of its turns
+    EXPECT_EQ(times[0].repetitions, runs[0] + 1);  // slow: once in each of its turns, and before them
     EXPECT_GT(times[1].repetitions, times[0].repetitions);
     EXPECT_GT(runs[1], times[1].repetitions);
 }

@@ -86,8 +86,8 @@ Eigen::ArrayXd tensions_of_rods(const Rope& rope, const State& state) {
         link.col(0) * fall.col(0) + link.col(1) * fall.col(1) + turn.col(0).square() + turn.col(1).square();
     for (Eigen::Index i = 0; i < links; ++i)
         if (rope.inverse_mass(i) + rope.inverse_mass(i + 1) == 0.0) tension(i) = 0.0;
-    Eigen::ArrayXd factors;
-    solve_impulses(rope.inverse_mass, link, link, factors, tension);
+    LinkSystem system;
+    solve_impulses(rope.inverse_mass, link, link, widest_instruction_set(), system, tension);
     return tension * rope.rest_length;
 }
 

@@ -4,6 +4,7 @@
 #include "simulation/implicit_springs.h"
 #include "simulation/instruction_set.h"
 #include "simulation/leaps.h"
+#include "simulation/link_impulses.h"
 #include "simulation/rope.h"
 
 #include <span>
@@ -37,10 +38,11 @@ struct Cost {
 // Working arrays of `direct_projection`.
 struct DirectProjection {
     Eigen::ArrayXd weight;          // inverse masses; zero also where nothing can move
+    Eigen::ArrayXd half;            // one per link: 1/2, or zero where both its masses are held
     Points before;                  // links×2, from mass i to mass i + 1 at the start of a step
     Points after;                   // links×2, at its end
     Eigen::ArrayXd lack;            // one per link: of a constraint; the change of impulse that mends it
-    Eigen::ArrayXd upper;           // one per link: of the factored system
+    LinkSystem system;              // for them
     Eigen::ArrayXd impulse;         // one per link: of the step, h² tension / length
     Eigen::ArrayXd impulse_before;  // of the step before
 };

@@ -98,6 +98,28 @@ TEST_P(EachInstructionSet, GivesTheSameAccelerations) {
     }
 }
 
+// A rope of links that keep their length, by the widest instructions and by two lanes.
+TEST_P(EachInstructionSet, ProjectsToTheSameBits) {
+    const Method& method = find_method("direct_projection");
+    for (const int masses : {2, 3, 4, 9, 16, 33, 64, 100}) {
+        Rope rope = straight_rope(masses, {1.0, 0.0}, {0.25, -1.0});
+        for (int i = 0; i < masses; ++i) rope.mass(i) = 1.0 + 0.25 * (i % 5);
+        rope = finished(rope);
+        State expected = at_rest(rope);
+        State actual = expected;
+        Scratch two_lanes, scratch;
+        two_lanes.instructions = InstructionSet::baseline;
+        scratch.instructions = GetParam();
+        for (int frame = 0; frame < 5; ++frame) {
+            method.advance(rope, stepping(1.0, 8), expected, two_lanes);
+            method.advance(rope, stepping(1.0, 8), actual, scratch);
+        }
+        EXPECT_TRUE(same_bits(expected.position, actual.position)) << masses;
+        EXPECT_TRUE(same_bits(expected.velocity, actual.velocity)) << masses;
+        EXPECT_TRUE(expected.position.isFinite().all()) << masses;
+    }
+}
+
 // Ropes of one length that have nothing else in common; one is so stiff that it blows up, beside the others.
 std::vector<Rope> unlike_ropes(int masses, int count) {
     std::vector<Rope> ropes;

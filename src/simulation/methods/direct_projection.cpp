@@ -1,8 +1,12 @@
+#include "simulation/lanes.h"
 #include "simulation/link_impulses.h"
 #include "simulation/links.h"
 #include "simulation/methods/methods.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -19,10 +23,6 @@ constexpr double tolerance = 1.6e-15;
 // taken where rounding alone can be what is left (heavy beside light masses), and else is no solution.
 constexpr int most_iterations = 25;
 constexpr double rounding = 1e-11;
-
-double dot(const Points& a, Index i, const Points& b, Index j) {
-    return a(i, 0) * b(j, 0) + a(i, 1) * b(j, 1);
-}
 
 Eigen::Array2d difference(const Points& points, Index link) {
     return {points(link + 1, 0) - points(link, 0), points(link + 1, 1) - points(link, 1)};
@@ -60,46 +60,58 @@ void require_rest_lengths(const Rope& rope, const State& state) {
 // the one after.
 void add_impulses(const Eigen::ArrayXd& weight, const Points& links, const Eigen::ArrayXd& impulse,
                   Points& vectors) {
-    const Index last = impulse.size();
+    const double* const w = weight.data();
+    const double* const along = impulse.data();
     for (int axis = 0; axis < 2; ++axis) {
-        double before = impulse(0) * links(0, axis);
-        vectors(0, axis) += weight(0) * before;
-        for (Index i = 1; i < last; ++i) {
-            const double after = impulse(i) * links(i, axis);
-            vectors(i, axis) = (vectors(i, axis) - weight(i) * before) + weight(i) * after;
-            before = after;
-        }
-        vectors(last, axis) -= weight(last) * before;
+        const double* const link = links.col(axis).data();
+        double* const vector = vectors.col(axis).data();
+        for (Index i = 0; i < impulse.size(); ++i) vector[i + 1] -= w[i + 1] * (along[i] * link[i]);
+        for (Index i = 0; i < impulse.size(); ++i) vector[i] += w[i] * (along[i] * link[i]);
     }
+}
+
+// The greatest of the numbers' magnitudes; not a number where one of them is none. Without their sign,
+// doubles are in the order of the integers of the same bits.
+double greatest_magnitude(const Eigen::ArrayXd& numbers) {
+    constexpr std::int64_t all_but_sign = std::numeric_limits<std::int64_t>::max();
+    std::int64_t greatest = 0;
+    const double* const number = numbers.data();
+    for (Index i = 0; i < numbers.size(); ++i)
+        greatest = std::max(greatest, std::bit_cast<std::int64_t>(number[i]) & all_but_sign);
+    return std::bit_cast<double>(greatest);
 }
 
 // Where the links are once the masses have moved, and half of what each lacks in |e|² to l². The greatest
 // such lack of a link that can move, as a share of l².
 double evaluate_lack(const Rope& rope, DirectProjection& work, const Points& moved) {
     const double squared = rope.rest_length * rope.rest_length;
-    double worst = 0.0;
-    for (Index i = 0; i < work.lack.size(); ++i) {
-        work.after(i, 0) = work.before(i, 0) + (moved(i + 1, 0) - moved(i, 0));
-        work.after(i, 1) = work.before(i, 1) + (moved(i + 1, 1) - moved(i, 1));
-        const double excess = dot(work.after, i, work.after, i) - squared;
-        const bool held = work.weight(i) + work.weight(i + 1) == 0.0;
-        work.lack(i) = held ? 0.0 : 0.5 * excess;
-        if (!(std::abs(work.lack(i)) <= worst)) worst = std::abs(work.lack(i));  // keeps a NaN
+    for (int axis = 0; axis < 2; ++axis) {
+        const double* const before = work.before.col(axis).data();
+        const double* const way = moved.col(axis).data();
+        double* const after = work.after.col(axis).data();
+        for (Index i = 0; i < work.lack.size(); ++i) after[i] = before[i] + (way[i + 1] - way[i]);
     }
-    return 2.0 * worst / squared;
+    const double* const half = work.half.data();
+    const double* const ex = work.after.col(0).data();
+    const double* const ey = work.after.col(1).data();
+    double* const lack = work.lack.data();
+    for (Index i = 0; i < work.lack.size(); ++i)
+        lack[i] = half[i] * (ex[i] * ex[i] + ey[i] * ey[i] - squared);
+    return 2.0 * greatest_magnitude(work.lack) / squared;
 }
 
 // Newton's iteration for the impulses along the links `before` by which the links keep their length. False
 // where it finds none.
-bool keep_lengths(const Rope& rope, DirectProjection& work, Points& moved, Cost& cost) {
+bool keep_lengths(const Rope& rope, Points& moved, Scratch& scratch) {
+    DirectProjection& work = scratch.direct_projection;
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         const double worst = evaluate_lack(rope, work, moved);
         if (worst <= tolerance || (worst <= rounding && worst > 0.5 * last)) return true;
         if (!std::isfinite(worst)) return false;
         last = worst;
-        ++cost.solves;
-        solve_impulses(work.weight, work.before, work.after, work.upper, work.lack);
+        ++scratch.cost.solves;
+        solve_impulses(work.weight, work.before, work.after, scratch.instructions, work.system, work.lack);
         add_impulses(work.weight, work.before, work.lack, moved);
         work.impulse += work.lack;
     }
@@ -124,13 +136,14 @@ void find_links(const Points& position, Points& links) {
 }
 
 // Takes from the velocities what would change the length of a link (RATTLE's second half).
-void keep_lengths_at_rest(DirectProjection& work, State& state, Cost& cost) {
+void keep_lengths_at_rest(State& state, Scratch& scratch) {
+    DirectProjection& work = scratch.direct_projection;
     find_links(state.position, work.before);
     for (Index i = 0; i < work.lack.size(); ++i)
         work.lack(i) = work.before(i, 0) * (state.velocity(i + 1, 0) - state.velocity(i, 0)) +
                        work.before(i, 1) * (state.velocity(i + 1, 1) - state.velocity(i, 1));
-    ++cost.solves;
-    solve_impulses(work.weight, work.before, work.before, work.upper, work.lack);
+    ++scratch.cost.solves;
+    solve_impulses(work.weight, work.before, work.before, scratch.instructions, work.system, work.lack);
     add_impulses(work.weight, work.before, work.lack, state.velocity);
 }
 
@@ -142,22 +155,31 @@ void begin(const Rope& rope, const State& state, DirectProjection& work) {
     work.impulse.setZero(links);
     work.impulse_before.setZero(links);
     find_weights(rope, state, work.weight);
+    work.half = (work.weight.head(links) + work.weight.tail(links) > 0.0)
+                    .select(Eigen::ArrayXd::Constant(links, 0.5), 0.0);
     require_rest_lengths(rope, state);
 }
 
 // One step from where `work.impulse` is guessed to lead. False, and the state as it was, where no impulses
 // keep the lengths.
-bool take_step(const Rope& rope, double h, double kept_half, State& state, Scratch& scratch) {
+bool take_step_in_lanes(const Rope& rope, double h, double kept_half, State& state, Scratch& scratch) {
     DirectProjection& work = scratch.direct_projection;
     Points& moved = scratch.displacement;
     const Points& fall = scratch.kick;
     find_links(state.position, work.before);
     moved = h * (kept_half * state.velocity + h / 2.0 * fall);
     add_impulses(work.weight, work.before, work.impulse, moved);
-    if (!keep_lengths(rope, work, moved, scratch.cost)) return false;
+    if (!keep_lengths(rope, moved, scratch)) return false;
     state.position += moved;
     state.velocity = kept_half * (moved / h + h / 2.0 * fall);
     return true;
+}
+
+bool take_step(const Rope& rope, double h, double kept_half, State& state, Scratch& scratch) {
+    bool taken = false;
+    in_lanes(scratch.instructions,
+             [&](auto) { taken = take_step_in_lanes(rope, h, kept_half, state, scratch); });
+    return taken;
 }
 
 // A step that is too large for Newton's iteration, as two of half its size, and these likewise.
@@ -204,7 +226,7 @@ void direct_projection(const Rope& rope, const Stepping& stepping, State& state,
         }
         first = step + 1;
     }
-    keep_lengths_at_rest(work, state, scratch.cost);
+    keep_lengths_at_rest(state, scratch);
 }
 
 }  // namespace ropesim

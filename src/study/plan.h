@@ -19,7 +19,7 @@ struct Candidate {
 
 // The work of a run: evaluations, and solves or sweeps by what they cost beside an evaluation. Counted, not
 // timed: the same on every machine, and so is what is chosen by it.
-double work(const Method& method, const Cost& cost);
+double work(const Problem& problem, const Method& method, const Cost& cost);
 
 // What a rope needs to stay within a tolerance.
 struct Plan {

@@ -3,7 +3,10 @@
 #include "clip/interrupt.h"
 #include "clip/manifest.h"
 #include "commands/commands.h"
+#include "commands/failure_sheet.h"
 #include "commands/scene_options.h"
+#include "image/png.h"
+#include "study/failures.h"
 #include "study/stability.h"
 #include "study/work_precision.h"
 #include "study/work_precision_chart.h"
@@ -130,11 +133,17 @@ int stability(const StudyOptions& options) {
     StatusLine status;
     const StabilityMap map = stability_map(
         subject_problem, against, all, [&](long done, long of) { status.show("stability, runs", done, of); });
+    const Truth its_truth = truth(subject_problem);
+    const std::vector<Failure> failing = failures(subject_problem, its_truth, all, [&](long done, long of) {
+        status.show("where each method fails", done, of);
+    });
     const std::string about = subject(options, scene, rope, subject_problem);
     const std::filesystem::path folder = options.folder;
+    write_file(folder / "failures.png", encode_png(failure_sheet(scene, rope, its_truth, failing), {}));
     write_file(folder / "stability.csv", to_csv(map, version() + "; " + about));
     draw_chart(folder, "stability", stability_script(map, "Stability, " + about));
-    std::printf("chart stability.png (and .svg), numbers stability.csv in %s\n", options.folder.c_str());
+    std::printf("chart stability.png (and .svg), numbers stability.csv, pictures failures.png in %s\n",
+                options.folder.c_str());
     return 0;
 }
 
@@ -176,7 +185,7 @@ Command study_command(CLI::App& app) {
         "  ropesim study work-precision\n"
         "  ropesim study work-precision my.toml --frames 60 --methods stormer_verlet,blanes_moan_6 -o chart");
     CLI::App* map = app.add_subcommand(
-        "stability", "where methods hold and fail, over steps and stiffness: CSV and a map");
+        "stability", "where methods hold and fail, over steps and stiffness: CSV, a map, and pictures");
     add_options(*map, *options);
     map->add_option("--against", options->against, "what varies beside the steps: stiffness or damping")
         ->type_name("WHAT")

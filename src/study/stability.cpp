@@ -10,13 +10,7 @@
 namespace ropesim {
 namespace {
 
-// 1, 2, 3, 4, 6, 8, 11, 16, ... 4096: powers of sqrt(2), rounded.
-std::vector<long> ladder_of_steps() {
-    return {1,  2,   3,   4,   6,   8,   11,  16,   23,   32,   45,   64,
-            91, 128, 181, 256, 362, 512, 724, 1024, 1448, 2048, 2896, 4096};
-}
-
-// Decades and their thirds of a decade... written out, since a power may be rounded differently elsewhere.
+// Powers of sqrt(10), written out, since a power may be rounded differently elsewhere.
 std::vector<double> ladder_of_values(Against against) {
     if (against == Against::stiffness)
         return {1e0,     3.162, 1e1,     31.62, 1e2,     316.2, 1e3,     3162.0, 1e4,
@@ -35,6 +29,11 @@ std::string text(double number) {
 }
 
 }  // namespace
+
+std::vector<long> ladder_of_steps() {
+    return {1,  2,   3,   4,   6,   8,   11,  16,   23,   32,   45,   64,
+            91, 128, 181, 256, 362, 512, 724, 1024, 1448, 2048, 2896, 4096};
+}
 
 Quality quality(double worst_pixels) {
     if (worst_pixels <= 0.5) return Quality::exact;

@@ -19,6 +19,9 @@ enum class Quality {
 Quality quality(double worst_pixels);
 std::string_view name(Quality quality);
 
+// Steps per frame that studies try: 1 to 4096, powers of sqrt(2), rounded.
+std::vector<long> ladder_of_steps();
+
 // What is varied beside the step.
 enum class Against { stiffness, damping };
 std::string_view name(Against against);
@@ -36,7 +39,7 @@ struct StabilityMap {
     Problem problem;
     Against against = Against::stiffness;
     std::vector<const Method*> methods;
-    std::vector<long> steps;     // per frame: 1 to 4096, sqrt(2) apart
+    std::vector<long> steps;     // per frame: ladder_of_steps()
     std::vector<double> values;  // stiffness 1e0 to 1e8, or damping 1e-4 to 1e2: sqrt(10) apart
     std::vector<Cell> cells;     // methods × values × steps, steps fastest
 

@@ -1,4 +1,6 @@
-#include "study/stability.h"
+#include "study/failures.h"
+
+#include "simulation/diagnostics.h"
 
 #include <gmock/gmock.h>
 
@@ -53,6 +55,40 @@ TEST(StabilityMap, TurnsWhereLinearTheorySaysSo) {
             }
         }
     }
+}
+
+// On a stiff rope a method holds until it is unstable: linear theory names the very steps.
+TEST(Failures, StandWhereLinearTheorySaysSo) {
+    Problem problem = three_masses(41);
+    problem.rope.stiffness = 1e5;
+    const std::vector<const Method*> methods{&find_method("stormer_verlet"), &find_method("blanes_moan_4")};
+    const std::vector<Failure> all = failures(problem, truth(problem), methods, [](long, long) {});
+    ASSERT_EQ(all.size(), methods.size());
+    for (const Failure& failure : all) {
+        ASSERT_TRUE(failure.holds && failure.fails);
+        const auto theory = fewest_stable_steps(problem.rope, *failure.method, problem.frame_time, 0.0);
+        EXPECT_EQ(failure.fails->steps + 1, failure.holds->steps);
+        EXPECT_NEAR(static_cast<double>(failure.holds->steps), static_cast<double>(*theory),
+                    0.02 * static_cast<double>(*theory));
+        EXPECT_LE(failure.holds->worst, 8.0);
+        EXPECT_GT(failure.fails->worst, 8.0);
+        ASSERT_EQ(failure.holds->moments.size(), 3u);
+        EXPECT_EQ(failure.holds->moments.back().frame, 40);
+        ASSERT_EQ(failure.fails->moments.size(), 3u);
+        EXPECT_LE(failure.fails->moments[0].error, 8.0);
+    }
+}
+
+TEST(Failures, SayWhereAMethodNeverHoldsOrNeverFails) {
+    Problem problem = three_masses(11);
+    problem.rope.stiffness = 0.05;  // links that keep their length are far from such springs
+    const std::vector<const Method*> methods{&find_method("direct_projection"),
+                                             &find_method("blanes_moan_6")};
+    const std::vector<Failure> all = failures(problem, truth(problem), methods, [](long, long) {});
+    EXPECT_FALSE(all[0].holds);
+    EXPECT_EQ(all[0].fails->steps, 4096);
+    EXPECT_EQ(all[1].holds->steps, 1);
+    EXPECT_FALSE(all[1].fails);
 }
 
 // Damping makes explicit Euler stable: at h omega squared below the share of the velocity that is lost.

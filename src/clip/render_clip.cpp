@@ -6,6 +6,7 @@
 #include "clip/manifest.h"
 #include "clip/picture.h"
 #include "clip/progress.h"
+#include "image/frame_encoder.h"
 #include "image/png.h"
 
 #include <algorithm>
@@ -43,12 +44,16 @@ bool is_made(const std::filesystem::path& path, const Texts& texts) {
 class FrameWriter {
   public:
     FrameWriter(const Scene& scene, const ClipOptions& options)
-        : scene_(scene), options_(options), texts_(frame_texts(scene, options.positions_digest)) {}
+        : scene_(scene),
+          options_(options),
+          texts_(frame_texts(scene, options.positions_digest)),
+          encoder_(scene.size[0], scene.size[1]) {}
 
     void write(long frame, const std::vector<Points>& positions) {
         const Image& image = renderer().draw(polylines(scene_, positions));
         set_frame(texts_, frame);
-        write_file(frame_path(scene_, options_, frame), encode_png(image, texts_));
+        write_file(frame_path(scene_, options_, frame),
+                   encoder_.encode(image, renderer().inked(), renderer().changed(), texts_));
     }
 
     // Whether the frame is there, whole, and made by this very scene and version.
@@ -66,6 +71,7 @@ class FrameWriter {
     const Scene& scene_;
     const ClipOptions& options_;
     Texts texts_;
+    FrameEncoder encoder_;
     std::unique_ptr<Renderer> renderer_;
 };
 

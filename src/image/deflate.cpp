@@ -11,11 +11,9 @@ namespace ropesim {
 
 namespace {
 
-constexpr std::size_t end_of_block = 256;     // after the 256 bytes, before the lengths (3.2.5)
-constexpr std::size_t length_symbols = 257;   // the first of them
-constexpr std::size_t longest_symbol = 285;   // 258 bytes, and no extra bits
-constexpr std::size_t literal_symbols = 286;  // bytes, end of block and lengths
-constexpr std::size_t distance_symbols = 30;
+constexpr std::size_t end_of_block = 256;       // after the 256 bytes, before the lengths (3.2.5)
+constexpr std::size_t length_symbols = 257;     // the first of them
+constexpr std::size_t longest_symbol = 285;     // 258 bytes, and no extra bits
 constexpr std::uint32_t dynamic_codes = 2;      // the type of a block (3.2.3)
 constexpr int longest_code = 15;                // bits (3.2.7)
 constexpr int longest_code_of_code_length = 7;  // bits (3.2.7)
@@ -33,7 +31,7 @@ struct Ranged {
 
 // The tables of 3.2.5 as a formula: numbers below 2^(m+1) are ranges of their own; above, each power of
 // two is split into 2^m ranges. m is 2 for lengths less 3 and 1 for distances less 1.
-Ranged ranged(std::uint32_t number, int m) {
+constexpr Ranged ranged(std::uint32_t number, int m) {
     if (number < 2U << m) return {number, 0, 0};
     const int extra_bits = std::bit_width(number) - 1 - m;
     const std::uint32_t leading = number >> extra_bits;  // 2^m to 2^(m+1) - 1
@@ -41,12 +39,20 @@ Ranged ranged(std::uint32_t number, int m) {
             extra_bits};
 }
 
-Ranged ranged_length(std::uint16_t length) {
+constexpr Ranged ranged_length(std::uint16_t length) {
     if (length == longest_repetition) return {longest_symbol, 0, 0};
     Ranged result = ranged(length - 3U, 2);
     result.symbol += length_symbols;
     return result;
 }
+
+// By length.
+constexpr auto ranged_lengths = [] {
+    std::array<Ranged, longest_repetition + 1> all{};
+    for (std::uint16_t length = shortest_repetition; length < all.size(); ++length)
+        all[length] = ranged_length(length);
+    return all;
+}();
 
 Ranged ranged_distance(std::uint16_t distance) {
     return ranged(distance - 1U, 1);
@@ -99,11 +105,6 @@ std::vector<std::uint8_t> code_lengths(std::span<const std::uint32_t> counts, in
     return lengths;
 }
 
-struct Code {
-    std::uint16_t bits = 0;  // as they are written, the first lowest
-    std::uint8_t length = 0;
-};
-
 std::uint16_t reversed(std::uint16_t bits, int count) {
     std::uint16_t result = 0;
     for (int i = 0; i < count; ++i) {
@@ -113,7 +114,7 @@ std::uint16_t reversed(std::uint16_t bits, int count) {
 }
 
 // The codes that follow from their lengths (3.2.2).
-std::vector<Code> codes(std::span<const std::uint8_t> lengths) {
+std::vector<Bits> codes(std::span<const std::uint8_t> lengths) {
     std::array<std::uint16_t, longest_code + 1> count{};  // of codes, by length
     for (const std::uint8_t length : lengths) ++count[length];
     count[0] = 0;
@@ -121,9 +122,9 @@ std::vector<Code> codes(std::span<const std::uint8_t> lengths) {
     for (std::size_t i = 1; i < next.size(); ++i) {
         next[i] = static_cast<std::uint16_t>((next[i - 1] + count[i - 1]) << 1);
     }
-    std::vector<Code> result;
+    std::vector<Bits> result;
     for (const std::uint8_t length : lengths) {
-        result.push_back({length == 0 ? std::uint16_t{0} : reversed(next[length]++, length), length});
+        result.push_back({length == 0 ? 0U : reversed(next[length]++, length), length});
     }
     return result;
 }
@@ -182,43 +183,95 @@ std::size_t used_symbols(std::span<const std::uint8_t> lengths) {
     return used;
 }
 
+// Bits and those that come after them; at most 32 together.
+Bits joined(Bits first, std::uint32_t bits, int count) {
+    return {first.bits | bits << first.count, first.count + count};
+}
+
 }  // namespace
 
-Deflater::Deflater(std::vector<std::uint8_t> stream) : stream_(std::move(stream)) {}
+void TokenCounts::add(Token token) {
+    if (token.length == 0) {
+        ++literals[token.byte_or_distance];
+    } else {
+        ++literals[ranged_lengths[token.length].symbol];
+        ++distances[ranged_distance(token.byte_or_distance).symbol];
+    }
+}
 
-std::vector<std::uint8_t> Deflater::finish() {
-    write_block(true);
-    put(0, (8 - bit_count_ % 8) % 8);
+void TokenCounts::add(const TokenCounts& others, std::uint32_t times) {
+    for (std::size_t i = 0; i < literals.size(); ++i) literals[i] += times * others.literals[i];
+    for (std::size_t i = 0; i < distances.size(); ++i) distances[i] += times * others.distances[i];
+}
+
+BlockWriter::BlockWriter(std::vector<std::uint8_t> stream)
+    : stream_(std::move(stream)), size_(stream_.size()) {}
+
+// A block with dynamic Huffman codes (3.2.7).
+void BlockWriter::begin(TokenCounts counts, bool last) {
+    counts.literals[end_of_block] = 1;
+    use_two_symbols(counts.literals);
+    use_two_symbols(counts.distances);
+    const std::vector<std::uint8_t> literals = code_lengths(counts.literals, longest_code);
+    const std::vector<std::uint8_t> distances = code_lengths(counts.distances, longest_code);
+    put({last ? 1U : 0U, 1});
+    put({dynamic_codes, 2});
+    write_code_lengths(literals, distances);
+
+    const std::vector<Bits> codes_of_literals = codes(literals);
+    std::copy_n(codes_of_literals.begin(), bytes_.size(), bytes_.begin());
+    for (std::size_t length = shortest_repetition; length < lengths_.size(); ++length) {
+        const auto& [symbol, extra, extra_bits] = ranged_lengths[length];
+        lengths_[length] = joined(codes_of_literals[symbol], extra, extra_bits);
+    }
+    std::ranges::copy(codes(distances), distances_.begin());
+}
+
+Bits BlockWriter::distance_bits(Token token) const {
+    const auto [symbol, extra, extra_bits] = ranged_distance(token.byte_or_distance);
+    return joined(distances_[symbol], extra, extra_bits);
+}
+
+void BlockWriter::add(std::span<const Token> tokens) {
+    for (const Token& token : tokens) {
+        if (token.length == 0) {
+            put(bytes_[token.byte_or_distance]);
+        } else {
+            put(length_bits(token));
+            put(distance_bits(token));
+        }
+    }
+}
+
+std::vector<Bits> BlockWriter::bits_of(std::span<const Token> tokens) const {
+    std::vector<Bits> all{{}};
+    const auto append = [&](Bits next) {
+        if (all.back().count + next.count > 32) all.push_back({});
+        all.back() = joined(all.back(), next.bits, next.count);
+    };
+    for (const Token& token : tokens) {
+        append(token.length == 0 ? bytes_[token.byte_or_distance] : length_bits(token));
+        if (token.length > 0) append(distance_bits(token));
+    }
+    return all;
+}
+
+void BlockWriter::add(std::span<const Bits> bits) {
+    for (const Bits& each : bits) put(each);
+}
+
+void BlockWriter::end() {
+    put(bytes_[end_of_block]);
+}
+
+std::vector<std::uint8_t> BlockWriter::finish() {
+    stream_.resize(size_);
     for (; bit_count_ > 0; bit_count_ -= 8, bits_ >>= 8) stream_.push_back(static_cast<std::uint8_t>(bits_));
     return std::move(stream_);
 }
 
-// A block with dynamic Huffman codes (3.2.7).
-void Deflater::write_block(bool last) {
-    std::array<std::uint32_t, literal_symbols> literal_counts{};
-    std::array<std::uint32_t, distance_symbols> distance_counts{};
-    literal_counts[end_of_block] = 1;
-    for (const Token& token : tokens_) {
-        if (token.length == 0) {
-            ++literal_counts[token.byte_or_distance];
-        } else {
-            ++literal_counts[ranged_length(token.length).symbol];
-            ++distance_counts[ranged_distance(token.byte_or_distance).symbol];
-        }
-    }
-    use_two_symbols(literal_counts);
-    use_two_symbols(distance_counts);
-    const std::vector<std::uint8_t> literals = code_lengths(literal_counts, longest_code);
-    const std::vector<std::uint8_t> distances = code_lengths(distance_counts, longest_code);
-    put(last ? 1 : 0, 1);
-    put(dynamic_codes, 2);
-    write_code_lengths(literals, distances);
-    write_tokens(literals, distances);
-    tokens_.clear();
-}
-
-void Deflater::write_code_lengths(std::span<const std::uint8_t> literals,
-                                  std::span<const std::uint8_t> distances) {
+void BlockWriter::write_code_lengths(std::span<const std::uint8_t> literals,
+                                     std::span<const std::uint8_t> distances) {
     const std::size_t literals_used = used_symbols(literals);
     const std::size_t distances_used = used_symbols(distances);
     const auto used_distances = distances.first(distances_used);
@@ -234,39 +287,29 @@ void Deflater::write_code_lengths(std::span<const std::uint8_t> literals,
     for (std::size_t i = 0; i < ordered.size(); ++i) ordered[i] = code_sizes[order_of_lengths[i]];
     const std::size_t ordered_used = used_symbols(ordered);
 
-    put(static_cast<std::uint32_t>(literals_used - 257), 5);
-    put(static_cast<std::uint32_t>(distances_used - 1), 5);
-    put(static_cast<std::uint32_t>(ordered_used - 4), 4);
-    for (std::size_t i = 0; i < ordered_used; ++i) put(ordered[i], 3);
-    const std::vector<Code> code = codes(code_sizes);
-    for (const LengthSymbol& symbol : symbols) {
-        put(code[symbol.symbol].bits, code[symbol.symbol].length);
-        put(symbol.extra, symbol.extra_bits);
-    }
+    put({static_cast<std::uint32_t>(literals_used - 257), 5});
+    put({static_cast<std::uint32_t>(distances_used - 1), 5});
+    put({static_cast<std::uint32_t>(ordered_used - 4), 4});
+    for (std::size_t i = 0; i < ordered_used; ++i) put({ordered[i], 3});
+    const std::vector<Bits> code = codes(code_sizes);
+    for (const LengthSymbol& symbol : symbols)
+        put(joined(code[symbol.symbol], symbol.extra, symbol.extra_bits));
 }
 
-void Deflater::write_tokens(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances) {
-    const std::vector<Code> literal_codes = codes(literals);
-    const std::vector<Code> distance_codes = codes(distances);
-    const auto put_code = [&](Code code) { put(code.bits, code.length); };
-    for (const Token& token : tokens_) {
-        if (token.length == 0) {
-            put_code(literal_codes[token.byte_or_distance]);
-            continue;
-        }
-        const Ranged length = ranged_length(token.length);
-        put_code(literal_codes[length.symbol]);
-        put(length.extra, length.extra_bits);
-        const Ranged distance = ranged_distance(token.byte_or_distance);
-        put_code(distance_codes[distance.symbol]);
-        put(distance.extra, distance.extra_bits);
-    }
-    put_code(literal_codes[end_of_block]);
-}
-
-void Deflater::write_word() {
-    for (int i = 0; i < 4; ++i, bits_ >>= 8) stream_.push_back(static_cast<std::uint8_t>(bits_));
+void BlockWriter::put_word() {
+    if (stream_.size() < size_ + 4) stream_.resize(2 * size_ + 4096);
+    for (int i = 0; i < 4; ++i) stream_[size_++] = static_cast<std::uint8_t>(bits_ >> 8 * i);
+    bits_ >>= 32;
     bit_count_ -= 32;
+}
+
+void Deflater::write_block(bool last) {
+    TokenCounts counts;
+    for (const Token& token : tokens_) counts.add(token);
+    writer_.begin(counts, last);
+    writer_.add(tokens_);
+    writer_.end();
+    tokens_.clear();
 }
 
 }  // namespace ropesim

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ropesim {
@@ -17,14 +20,69 @@ inline constexpr std::uint16_t shortest_repetition = 3;
 inline constexpr std::uint16_t longest_repetition = 258;
 inline constexpr std::uint16_t farthest_repetition = 32768;
 
-// Writes tokens as a deflate stream: blocks of at most `block_tokens` of them, each with Huffman codes of
-// its own. The same tokens give the same bytes everywhere: all is integer arithmetic in a fixed order.
+// How often tokens use each symbol of deflate: what its Huffman codes follow from.
+struct TokenCounts {
+    std::array<std::uint32_t, 286> literals{};  // 256 bytes, the end of a block, lengths
+    std::array<std::uint32_t, 30> distances{};
+
+    void add(Token token);
+    void add(const TokenCounts& others, std::uint32_t times);
+};
+
+// Up to 32 bits of a deflate stream, the first lowest.
+struct Bits {
+    std::uint32_t bits = 0;
+    int count = 0;
+};
+
+// Writes a deflate stream block by block, each with Huffman codes of its own. The same tokens give the same
+// bytes everywhere: all is integer arithmetic in a fixed order.
+class BlockWriter {
+  public:
+    // Appends to what `stream` has already.
+    explicit BlockWriter(std::vector<std::uint8_t> stream);
+
+    // Begins a block of tokens that have these counts.
+    void begin(TokenCounts counts, bool last);
+    void add(std::span<const Token> tokens);
+    // The same tokens as bits of this block, for those that come many times.
+    std::vector<Bits> bits_of(std::span<const Token> tokens) const;
+    void add(std::span<const Bits> bits);
+    void end();
+
+    // The whole stream. Nothing may be added afterwards.
+    std::vector<std::uint8_t> finish();
+
+  private:
+    Bits length_bits(Token token) const { return lengths_[token.length]; }
+    Bits distance_bits(Token token) const;
+    void write_code_lengths(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances);
+
+    void put(Bits bits) {
+        bits_ |= std::uint64_t{bits.bits} << bit_count_;
+        bit_count_ += bits.count;
+        if (bit_count_ >= 32) put_word();
+    }
+    void put_word();
+
+    std::vector<std::uint8_t> stream_;  // written up to size_
+    std::size_t size_;
+    std::uint64_t bits_ = 0;  // not written yet, the earliest lowest
+    int bit_count_ = 0;
+
+    // The codes of the block.
+    std::array<Bits, 257> bytes_;  // and the end of the block
+    std::array<Bits, longest_repetition + 1> lengths_;
+    std::array<Bits, 30> distances_;
+};
+
+// A deflate stream of tokens as they come, in blocks of at most `block_tokens` of them.
 class Deflater {
   public:
     static constexpr std::size_t block_tokens = 65536;
 
     // Appends to what `stream` has already.
-    explicit Deflater(std::vector<std::uint8_t> stream);
+    explicit Deflater(std::vector<std::uint8_t> stream) : writer_(std::move(stream)) {}
 
     void add(Token token) {
         if (tokens_.size() == block_tokens) write_block(false);
@@ -32,25 +90,16 @@ class Deflater {
     }
 
     // The whole stream. Nothing may be added afterwards.
-    std::vector<std::uint8_t> finish();
+    std::vector<std::uint8_t> finish() {
+        write_block(true);
+        return writer_.finish();
+    }
 
   private:
     void write_block(bool last);
-    void write_tokens(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances);
-    void write_code_lengths(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances);
-    void write_word();
 
-    // At most 16 bits.
-    void put(std::uint32_t bits, int count) {
-        bits_ |= std::uint64_t{bits} << bit_count_;
-        bit_count_ += count;
-        if (bit_count_ >= 32) write_word();
-    }
-
-    std::vector<std::uint8_t> stream_;
+    BlockWriter writer_;
     std::vector<Token> tokens_;  // of the block that is not written yet
-    std::uint64_t bits_ = 0;     // not written yet, the earliest lowest
-    int bit_count_ = 0;
 };
 
 }  // namespace ropesim

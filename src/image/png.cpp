@@ -1,12 +1,10 @@
 #include "image/png.h"
 
+#include "image/frame_encoder.h"
 #include "image/png_chunks.h"
-#include "image/png_texts.h"
-#include "image/zlib_stream.h"
 
 #include <png.h>
 #include <algorithm>
-#include <cassert>
 #include <csetjmp>
 #include <cstring>
 #include <stdexcept>
@@ -17,14 +15,6 @@ namespace {
 
 constexpr std::uint32_t widest = 65535;                    // pixels a side of a picture that is read
 constexpr std::uint64_t largest = std::uint64_t{1} << 28;  // pixels in all
-
-std::vector<std::uint8_t> header(const Image& image) {
-    std::vector<std::uint8_t> data;
-    append_number(data, static_cast<std::uint32_t>(image.width));
-    append_number(data, static_cast<std::uint32_t>(image.height));
-    data.insert(data.end(), {8, PNG_COLOR_TYPE_RGB, 0, 0, PNG_INTERLACE_NONE});
-    return data;
-}
 
 [[noreturn]] void fail(std::string_view name, const std::string& problem) {
     throw std::runtime_error(std::string(name) + ": " + problem);
@@ -145,15 +135,9 @@ class PngReader {
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image, const Texts& texts) {
-    assert(image.width > 0 && image.height > 0);
-    assert(image.rgb.size() ==
-           3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-    std::vector<std::uint8_t> file(png_signature.begin(), png_signature.end());
-    append_chunk(file, "IHDR", header(image));
-    append_text_chunks(file, texts);
-    append_chunk(file, "IDAT", zlib_stream_of_rows(image));
-    append_chunk(file, "IEND", {});
-    return file;
+    Tiles all(image.width, image.height);
+    all.add({0, 0, image.width, image.height});
+    return FrameEncoder(image.width, image.height).encode(image, all, all, texts);
 }
 
 Image decode_png(std::span<const std::uint8_t> bytes, std::string_view name) {

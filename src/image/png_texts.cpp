@@ -26,25 +26,6 @@ std::string text_of(Bytes bytes) {
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-void check_texts(const Texts& texts) {
-    std::size_t size = 0;
-    for (const auto& [keyword, text] : texts) {
-        if (keyword.empty() || keyword.size() > longest_keyword || keyword.find('\0') != keyword.npos) {
-            throw std::runtime_error("PNG text '" + keyword + "': its keyword has " +
-                                     std::to_string(keyword.size()) +
-                                     " characters, expected 1 to 79, none zero");
-        }
-        if (text.find('\0') != text.npos) {
-            throw std::runtime_error("PNG text '" + keyword + "': found a zero character, expected none");
-        }
-        size += text.size();
-    }
-    if (size > most_text) {
-        throw std::runtime_error("PNG texts: found " + std::to_string(size) + " bytes, expected at most " +
-                                 std::to_string(most_text));
-    }
-}
-
 // The data of an iTXt chunk without language or translated keyword.
 std::vector<std::uint8_t> international_text(const std::string& keyword, const std::string& text) {
     const Bytes plain = bytes_of(text);
@@ -179,9 +160,29 @@ class TextReader {
 
 }  // namespace
 
-void append_text_chunks(std::vector<std::uint8_t>& file, const Texts& texts) {
-    check_texts(texts);
-    for (const auto& [keyword, text] : texts) append_chunk(file, "iTXt", international_text(keyword, text));
+void check_texts(const Texts& texts) {
+    std::size_t size = 0;
+    for (const auto& [keyword, text] : texts) {
+        if (keyword.empty() || keyword.size() > longest_keyword || keyword.find('\0') != keyword.npos) {
+            throw std::runtime_error("PNG text '" + keyword + "': its keyword has " +
+                                     std::to_string(keyword.size()) +
+                                     " characters, expected 1 to 79, none zero");
+        }
+        if (text.find('\0') != text.npos) {
+            throw std::runtime_error("PNG text '" + keyword + "': found a zero character, expected none");
+        }
+        size += text.size();
+    }
+    if (size > most_text) {
+        throw std::runtime_error("PNG texts: found " + std::to_string(size) + " bytes, expected at most " +
+                                 std::to_string(most_text));
+    }
+}
+
+std::vector<std::uint8_t> text_chunk(const std::string& keyword, const std::string& text) {
+    std::vector<std::uint8_t> chunk;
+    append_chunk(chunk, "iTXt", international_text(keyword, text));
+    return chunk;
 }
 
 Texts decode_png_texts(std::span<const std::uint8_t> bytes, std::string_view name) {

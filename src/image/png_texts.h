@@ -3,11 +3,15 @@
 #include "image/png.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ropesim {
 
-// Appends an iTXt chunk for each text. Throws as encode_png does.
-void append_text_chunks(std::vector<std::uint8_t>& file, const Texts& texts);
+// Throws as encode_png does.
+void check_texts(const Texts& texts);
+
+// A whole iTXt chunk.
+std::vector<std::uint8_t> text_chunk(const std::string& keyword, const std::string& text);
 
 }  // namespace ropesim

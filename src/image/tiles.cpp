@@ -11,9 +11,10 @@ Tiles::Tiles(int width, int height)
       rows_((height + tile_side - 1) / tile_side),
       marks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
 
-bool Tiles::any_in_row(int row) const {
-    const auto begin = marks_.begin() + static_cast<std::ptrdiff_t>(index(0, row));
-    return std::find(begin, begin + columns_, 1) != begin + columns_;
+bool Tiles::any_in_rows(int first, int last) const {
+    const auto begin = marks_.begin() + static_cast<std::ptrdiff_t>(index(0, first));
+    const auto end = marks_.begin() + static_cast<std::ptrdiff_t>(index(0, last + 1));
+    return std::find(begin, end, 1) != end;
 }
 
 void Tiles::clear() {
@@ -34,22 +35,26 @@ void Tiles::add(const PixelBox& box) {
                     std::uint8_t{1});
 }
 
-void Tiles::runs(int row, std::vector<PixelBox>& boxes) const {
-    const auto begin = marks_.begin() + static_cast<std::ptrdiff_t>(index(0, row));
-    const auto end = begin + columns_;
-    const int top = row * tile_side;
-    const int bottom = std::min(top + tile_side, height_);
-    for (auto first = std::find(begin, end, 1); first != end;) {
-        const auto last = std::find(first, end, 0);
-        boxes.push_back({static_cast<int>(first - begin) * tile_side, top,
-                         std::min(static_cast<int>(last - begin) * tile_side, width_), bottom});
-        first = std::find(last, end, 1);
+void Tiles::append_runs(int first, int last, std::vector<PixelBox>& boxes) const {
+    const int top = first * tile_side;
+    const int bottom = std::min((last + 1) * tile_side, height_);
+    const auto any = [&](int column) {
+        for (int row = first; row <= last; ++row)
+            if (contains(column, row)) return true;
+        return false;
+    };
+    for (int column = 0; column < columns_; ++column) {
+        if (!any(column)) continue;
+        const int left = column * tile_side;
+        while (column < columns_ && any(column)) ++column;
+        boxes.push_back({left, top, std::min(column * tile_side, width_), bottom});
     }
 }
 
 std::vector<PixelBox> Tiles::runs() const {
     std::vector<PixelBox> boxes;
-    for (int row = 0; row < rows_; ++row) runs(row, boxes);
+    for (int row = 0; row < rows_; ++row)
+        if (any_in_rows(row, row)) append_runs(row, row, boxes);
     return boxes;
 }
 

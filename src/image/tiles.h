@@ -19,15 +19,16 @@ class Tiles {
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     bool contains(int column, int row) const { return marks_[index(column, row)] != 0; }
-    bool any_in_row(int row) const;
+    bool any_in_rows(int first, int last) const;
 
     void clear();
     void add(const Tiles& others);  // of a picture of the same size
     void add(const PixelBox& box);  // the tiles that it meets; the box may reach out of the picture
 
-    // The tiles of a row as boxes in the picture, neighbours in one, from left to right.
-    void runs(int row, std::vector<PixelBox>& boxes) const;
-    // Those of all rows, from top to bottom.
+    // Appends the columns of rows `first` to `last` in which there are tiles as boxes in the picture, as high
+    // as these rows, neighbours in one, from left to right.
+    void append_runs(int first, int last, std::vector<PixelBox>& boxes) const;
+    // The tiles as boxes, row by row.
     std::vector<PixelBox> runs() const;
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image/image.h"
+#include "image/adler32.h"
 
 #include <cstdint>
 #include <span>
@@ -8,11 +8,9 @@
 
 namespace ropesim {
 
-// The pixels of a PNG: the picture's rows, each less the row above it (the filter Up of Portable Network
-// Graphics, 2nd edition, 2003, section 9), as a zlib stream (RFC 1950). Made for frames that are one
-// colour but for thin lines: it looks for runs of a byte and of a pixel and for nothing else, and is never
-// much longer than the picture.
-std::vector<std::uint8_t> zlib_stream_of_rows(const Image& image);
+// A zlib stream (RFC 1950) is these two bytes, a deflate stream and the checksum of what it unpacks to.
+std::vector<std::uint8_t> zlib_header();
+void append_checksum(std::vector<std::uint8_t>& stream, const Adler32& checksum);
 
 // A text as a zlib stream, repetitions found wherever they are.
 std::vector<std::uint8_t> zlib_stream_of_text(std::span<const std::uint8_t> text);

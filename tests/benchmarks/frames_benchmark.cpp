@@ -7,7 +7,7 @@
 #include "clip/manifest.h"
 #include "clip/picture.h"
 #include "clip/run.h"
-#include "image/png.h"
+#include "image/frame_encoder.h"
 
 #include <cairo.h>
 #include <png.h>
@@ -95,10 +95,12 @@ std::vector<Contestant> contestants(const Scene& scene, const Positions& motion,
     const auto draw = [&](long frame) -> const Image& {
         return renderer.draw(polylines(scene, motion.at(frame)));
     };
-    const auto encode = [&scene, draw](long frame) {
-        Texts texts = frame_texts(scene, "");
-        set_frame(texts, frame);
-        return encode_png(draw(frame), texts);
+    const auto encoder = std::make_shared<FrameEncoder>(scene.size[0], scene.size[1]);
+    const auto texts = std::make_shared<Texts>(frame_texts(scene, ""));
+    const auto encode = [&renderer, texts, draw, encoder](long frame) {
+        set_frame(*texts, frame);
+        const Image& image = draw(frame);
+        return encoder->encode(image, renderer.inked(), renderer.changed(), *texts);
     };
     return {{"ropesim", [=](long frame, const auto& path) { write_file(path, encode(frame)); }, {}},
             {"ropesim, not written", [=](long frame, const auto&) { encode(frame); }, {}},

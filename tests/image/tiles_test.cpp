@@ -53,9 +53,9 @@ TEST(Tiles, OfTwoAreThoseOfEither) {
     others.add({side, side, side + 1, side + 1});
     tiles.add(others);
     EXPECT_EQ(tiles.runs().size(), 2U);
-    EXPECT_TRUE(tiles.any_in_row(1));
+    EXPECT_TRUE(tiles.any_in_rows(0, 1));
     tiles.clear();
-    EXPECT_FALSE(tiles.any_in_row(0));
+    EXPECT_FALSE(tiles.any_in_rows(0, 1));
 }
 
 }  // namespace

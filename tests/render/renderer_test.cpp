@@ -325,7 +325,7 @@ TEST(Pictures, DifferFromOthersOnlyInTheTilesThatTheySay) {
     const Image empty = filled(side, side, background);
     Renderer renderer(side, side, {{0.0, 0.0}, side}, background, title);
     Image before = empty;
-    std::size_t tiles = 0;
+    std::size_t columns = 0;
     for (int frame = 0; frame < 300; ++frame) {
         const double angle = 0.37 * frame;
         const Eigen::Array2d begin(150.0 * std::sin(0.11 * frame), 150.0 * std::cos(0.23 * frame));
@@ -335,13 +335,10 @@ TEST(Pictures, DifferFromOthersOnlyInTheTilesThatTheySay) {
         EXPECT_TRUE(same_outside(renderer.inked(), image, empty)) << frame;
         EXPECT_TRUE(same_outside(renderer.changed(), image, before)) << frame;
         before = image;
-        for (int row = 0; row < renderer.changed().rows(); ++row) {
-            std::vector<PixelBox> boxes;
-            renderer.changed().runs(row, boxes);
-            for (const PixelBox& box : boxes) tiles += static_cast<std::size_t>(box.right - box.left);
-        }
+        for (const PixelBox& box : renderer.changed().runs())
+            columns += static_cast<std::size_t>(box.right - box.left);
     }
-    EXPECT_LT(tiles, 300U * side * 10 / 2);  // of a picture of ten rows of tiles: less than half, on average
+    EXPECT_LT(columns, 300U * side * 10 / 2);  // in ten rows of tiles: less than half, on average
 }
 
 std::string error_of_size(int columns, int rows) {

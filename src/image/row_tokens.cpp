@@ -1,0 +1,154 @@
+#include "image/row_tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace ropesim {
+
+namespace {
+
+constexpr std::uint16_t pixel_bytes = 3;
+constexpr std::size_t worth_skipping = 64;  // zeros that are faster summed up at once than one by one
+constexpr std::uint8_t filter_up = 2;       // what a row of a PNG begins with that is less the row above
+
+// Repetitions of what stands `distance` bytes back, for as much of `length` bytes as they can be used for:
+// all, or all but one or two. Gives how many to `add`, and returns how many.
+template <class Add>
+std::size_t add_run(std::size_t length, std::uint16_t distance, const Add& add) {
+    std::size_t left = length;
+    while (left >= shortest_repetition) {
+        const auto part = static_cast<std::uint16_t>(std::min<std::size_t>(left, longest_repetition));
+        add(Token{part, distance});
+        left -= part;
+    }
+    return length - left;
+}
+
+// How many bytes from `begin` on repeat what stands `distance` bytes before them, up to `end`.
+std::size_t run_length(const std::uint8_t* begin, std::ptrdiff_t distance, const std::uint8_t* end) {
+    const std::uint8_t* i = begin;
+    while (end - i >= 8 && std::memcmp(i, i - distance, 8) == 0) i += 8;
+    while (i < end && *i == *(i - distance)) ++i;
+    return static_cast<std::size_t>(i - begin);
+}
+
+// The first byte of begin to end that is not zero, or the end.
+const std::uint8_t* past_zeros(const std::uint8_t* begin, const std::uint8_t* end) {
+    constexpr std::array<std::uint8_t, 32> zeros{};
+    const std::uint8_t* i = begin;
+    while (end - i >= 32 && std::memcmp(i, zeros.data(), 32) == 0) i += 32;
+    return std::find_if(i, end, [](std::uint8_t byte) { return byte != 0; });
+}
+
+}  // namespace
+
+RowTokenizer::RowTokenizer(int width)
+    : filtered_(1 + pixel_bytes * static_cast<std::size_t>(width), 0), zeros_(filtered_.size() - 1, 0) {
+    filtered_[0] = filter_up;
+}
+
+std::vector<Token> RowTokenizer::repeated_row() const {
+    std::vector<Token> tokens{{0, filter_up}, {0, 0}};
+    const auto add = [&](Token token) { tokens.push_back(token); };
+    const std::size_t zeros = filtered_.size() - 2;
+    tokens.insert(tokens.end(), zeros - add_run(zeros, 1, add), Token{0, 0});
+    return tokens;
+}
+
+void RowTokenizer::tokenize(const Image& image, const Tiles& inked, int row_of_tiles, RowTokens& rows) {
+    rows.tokens.clear();
+    rows.ends.clear();
+    rows.repeated_rows = 0;
+    rows.counts = {};
+    rows.checksum = {};
+    const std::size_t stride = zeros_.size();
+    const int top = row_of_tiles * tile_side;
+    const int bottom = std::min(top + tile_side, image.height);
+    for (int y = top; y < bottom; ++y) {
+        const std::uint8_t* row = image.rgb.data() + static_cast<std::size_t>(y) * stride;
+        if (y == 0) spans_ = {{0, stride}};
+        if (y == top && y > 0) find_spans(inked, row_of_tiles - 1, row_of_tiles);
+        if (y == top + 1) find_spans(inked, row_of_tiles, row_of_tiles);
+        add_row(row, y == 0 ? zeros_.data() : row - stride, rows);
+    }
+}
+
+void RowTokenizer::find_spans(const Tiles& inked, int first_row, int last_row) {
+    boxes_.clear();
+    inked.append_runs(first_row, last_row, boxes_);
+    spans_.clear();
+    for (const PixelBox& box : boxes_)
+        spans_.push_back({pixel_bytes * static_cast<std::size_t>(box.left),
+                          pixel_bytes * static_cast<std::size_t>(box.right)});
+}
+
+void RowTokenizer::add_row(const std::uint8_t* row, const std::uint8_t* above, RowTokens& rows) {
+    const auto equal = [&](const Span& span) {
+        return std::memcmp(row + span.begin, above + span.begin, span.end - span.begin) == 0;
+    };
+    if (std::ranges::all_of(spans_, equal)) {
+        rows.checksum.add({&filter_up, 1});
+        rows.checksum.add_zeros(zeros_.size());
+        ++rows.repeated_rows;
+    } else {
+        std::uint8_t* const filtered = &filtered_[1];
+        for (const auto& [begin, end] : spans_)
+            for (std::size_t i = begin; i < end; ++i)
+                filtered[i] = static_cast<std::uint8_t>(row[i] - above[i]);
+        add_filtered_row(rows);
+        for (const auto& [begin, end] : spans_) std::memset(filtered + begin, 0, end - begin);
+    }
+    rows.ends.push_back(rows.tokens.size());
+}
+
+void RowTokenizer::add_filtered_row(RowTokens& rows) {
+    const auto add = [&](Token token) {
+        rows.tokens.push_back(token);
+        rows.counts.add(token);
+    };
+    const std::uint8_t* const bytes = filtered_.data();
+    const std::size_t size = filtered_.size();
+    std::size_t unchecked = 0;
+    std::size_t i = 0;
+    span_ = 0;
+    add({0, bytes[i++]});
+    while (i < size) {
+        std::uint16_t distance = 1;
+        std::size_t length = bytes[i - 1] == 0 ? zeros_from(i) : run_length(bytes + i, 1, bytes + size);
+        if (length < shortest_repetition && i >= pixel_bytes) {
+            distance = pixel_bytes;
+            length = run_length(bytes + i, distance, bytes + size);
+        }
+        if (length < shortest_repetition) {
+            add({0, bytes[i++]});
+            continue;
+        }
+        length = add_run(length, distance, add);
+        if (distance == 1 && bytes[i] == 0 && length >= worth_skipping) {
+            rows.checksum.add(std::span(bytes + unchecked, bytes + i));
+            rows.checksum.add_zeros(length);
+            unchecked = i + length;
+        }
+        i += length;
+    }
+    rows.checksum.add(std::span(bytes + unchecked, bytes + size));
+}
+
+// How many bytes of the filtered row are zero from byte i on. Between the spans all are.
+std::size_t RowTokenizer::zeros_from(std::size_t i) {
+    const std::uint8_t* const filtered = &filtered_[1];
+    std::size_t place = i - 1;  // in the row of the picture
+    while (span_ < spans_.size()) {
+        const auto [begin, end] = spans_[span_];
+        place = std::max(place, begin);
+        if (place < end) {
+            place = static_cast<std::size_t>(past_zeros(filtered + place, filtered + end) - filtered);
+            if (place < end) return place - (i - 1);
+        }
+        ++span_;
+    }
+    return filtered_.size() - i;
+}
+
+}  // namespace ropesim

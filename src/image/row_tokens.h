@@ -1,0 +1,56 @@
+#pragma once
+
+#include "image/adler32.h"
+#include "image/deflate.h"
+#include "image/image.h"
+#include "image/tiles.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ropesim {
+
+// Some rows of a picture as deflate tokens, each row less the row above it (the filter Up of Portable Network
+// Graphics, 2nd edition, 2003, section 9). Made for frames that are one colour but for thin lines: it looks
+// for runs of a byte and of a pixel and for nothing else.
+struct RowTokens {
+    std::vector<Token> tokens;
+    std::vector<std::size_t> ends;  // in tokens, of each row; a row without tokens repeats the one above it
+    std::uint32_t repeated_rows = 0;
+    TokenCounts counts;  // without the repeated rows
+    Adler32 checksum;
+};
+
+// Makes tokens of rows. Keeps a row of scratch, and nothing from one call to the next.
+class RowTokenizer {
+  public:
+    explicit RowTokenizer(int width);
+
+    // A row that repeats the one above it.
+    std::vector<Token> repeated_row() const;
+
+    // The rows of a row of tiles. Outside the inked tiles the picture must be of one colour. The tokens
+    // depend on the picture alone.
+    void tokenize(const Image& image, const Tiles& inked, int row_of_tiles, RowTokens& rows);
+
+  private:
+    // Bytes of a row of the picture.
+    struct Span {
+        std::size_t begin;
+        std::size_t end;
+    };
+
+    void find_spans(const Tiles& inked, int first_row, int last_row);
+    void add_row(const std::uint8_t* row, const std::uint8_t* above, RowTokens& rows);
+    void add_filtered_row(RowTokens& rows);
+    std::size_t zeros_from(std::size_t i);
+
+    std::vector<std::uint8_t> filtered_;  // a row, behind the byte that names its filter; zero between rows
+    std::vector<std::uint8_t> zeros_;     // above the first row
+    std::vector<PixelBox> boxes_;
+    std::vector<Span>
+        spans_;             // that may differ from the row above; from left to right, apart from each other
+    std::size_t span_ = 0;  // the first of them that does not end before where the tokenizer is
+};
+
+}  // namespace ropesim

@@ -86,21 +86,22 @@ std::vector<int> huffman_depths(std::span<const std::uint64_t> counts) {
 // A Huffman code's length for each symbol, 0 where its count is 0; none is longer than `limit`. Where
 // Huffman's tree is deeper, the counts are drawn together by halving until it is not.
 std::vector<std::uint8_t> code_lengths(std::span<const std::uint32_t> counts, int limit) {
-    std::vector<std::size_t> symbols;
+    constexpr int symbol_bits = 16;
+    std::vector<std::uint64_t> counted;  // a count above its symbol, which orders equal counts
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] > 0) symbols.push_back(i);
+        if (counts[i] > 0) counted.push_back(std::uint64_t{counts[i]} << symbol_bits | i);
     }
-    std::ranges::stable_sort(symbols, {}, [&](std::size_t symbol) { return counts[symbol]; });
+    std::ranges::sort(counted);
     std::vector<std::uint64_t> ascending;
-    for (const std::size_t symbol : symbols) ascending.push_back(counts[symbol]);
+    for (const std::uint64_t each : counted) ascending.push_back(each >> symbol_bits);
     std::vector<int> depths = huffman_depths(ascending);
     while (std::ranges::max(depths) > limit) {
         for (std::uint64_t& count : ascending) count = count / 2 + 1;
         depths = huffman_depths(ascending);
     }
     std::vector<std::uint8_t> lengths(counts.size(), 0);
-    for (std::size_t i = 0; i < symbols.size(); ++i) {
-        lengths[symbols[i]] = static_cast<std::uint8_t>(depths[i]);
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        lengths[counted[i] & ((1U << symbol_bits) - 1)] = static_cast<std::uint8_t>(depths[i]);
     }
     return lengths;
 }
@@ -183,19 +184,20 @@ std::size_t used_symbols(std::span<const std::uint8_t> lengths) {
     return used;
 }
 
-// Bits and those that come after them; at most 32 together.
-Bits joined(Bits first, std::uint32_t bits, int count) {
-    return {first.bits | bits << first.count, first.count + count};
+Bits joined(Bits first, Bits next) {
+    return {first.bits | next.bits << first.count, first.count + next.count};
 }
 
 }  // namespace
 
-void TokenCounts::add(Token token) {
-    if (token.length == 0) {
-        ++literals[token.byte_or_distance];
-    } else {
-        ++literals[ranged_lengths[token.length].symbol];
-        ++distances[ranged_distance(token.byte_or_distance).symbol];
+void TokenCounts::add(std::span<const Token> tokens) {
+    for (const Token& token : tokens) {
+        if (token.length == 0) {
+            ++literals[token.byte_or_distance];
+        } else {
+            ++literals[ranged_lengths[token.length].symbol];
+            ++distances[ranged_distance(token.byte_or_distance).symbol];
+        }
     }
 }
 
@@ -204,8 +206,11 @@ void TokenCounts::add(const TokenCounts& others, std::uint32_t times) {
     for (std::size_t i = 0; i < distances.size(); ++i) distances[i] += times * others.distances[i];
 }
 
-BlockWriter::BlockWriter(std::vector<std::uint8_t> stream)
-    : stream_(std::move(stream)), size_(stream_.size()) {}
+std::vector<std::uint8_t> BitWriter::finish() {
+    stream_.resize(size_);
+    if (open_.count > 0) stream_.push_back(static_cast<std::uint8_t>(open_.bits));
+    return std::move(stream_);
+}
 
 // A block with dynamic Huffman codes (3.2.7).
 void BlockWriter::begin(TokenCounts counts, bool last) {
@@ -214,60 +219,45 @@ void BlockWriter::begin(TokenCounts counts, bool last) {
     use_two_symbols(counts.distances);
     const std::vector<std::uint8_t> literals = code_lengths(counts.literals, longest_code);
     const std::vector<std::uint8_t> distances = code_lengths(counts.distances, longest_code);
-    put({last ? 1U : 0U, 1});
-    put({dynamic_codes, 2});
+    writer_.put({last ? 1U : 0U, 1});
+    writer_.put({dynamic_codes, 2});
     write_code_lengths(literals, distances);
 
     const std::vector<Bits> codes_of_literals = codes(literals);
     std::copy_n(codes_of_literals.begin(), bytes_.size(), bytes_.begin());
     for (std::size_t length = shortest_repetition; length < lengths_.size(); ++length) {
         const auto& [symbol, extra, extra_bits] = ranged_lengths[length];
-        lengths_[length] = joined(codes_of_literals[symbol], extra, extra_bits);
+        lengths_[length] = joined(codes_of_literals[symbol], {extra, extra_bits});
     }
     std::ranges::copy(codes(distances), distances_.begin());
 }
 
-Bits BlockWriter::distance_bits(Token token) const {
+Bits BlockWriter::bits_of(Token token) const {
+    if (token.length == 0) return bytes_[token.byte_or_distance];
     const auto [symbol, extra, extra_bits] = ranged_distance(token.byte_or_distance);
-    return joined(distances_[symbol], extra, extra_bits);
+    return joined(lengths_[token.length], joined(distances_[symbol], {extra, extra_bits}));
 }
 
 void BlockWriter::add(std::span<const Token> tokens) {
-    for (const Token& token : tokens) {
-        if (token.length == 0) {
-            put(bytes_[token.byte_or_distance]);
-        } else {
-            put(length_bits(token));
-            put(distance_bits(token));
-        }
-    }
+    writer_.put_all(tokens, [this](Token token) { return bits_of(token); });
 }
 
 std::vector<Bits> BlockWriter::bits_of(std::span<const Token> tokens) const {
     std::vector<Bits> all{{}};
-    const auto append = [&](Bits next) {
-        if (all.back().count + next.count > 32) all.push_back({});
-        all.back() = joined(all.back(), next.bits, next.count);
-    };
     for (const Token& token : tokens) {
-        append(token.length == 0 ? bytes_[token.byte_or_distance] : length_bits(token));
-        if (token.length > 0) append(distance_bits(token));
+        const Bits next = bits_of(token);
+        if (all.back().count + next.count > 56) all.push_back({});
+        all.back() = joined(all.back(), next);
     }
     return all;
 }
 
 void BlockWriter::add(std::span<const Bits> bits) {
-    for (const Bits& each : bits) put(each);
+    writer_.put_all(bits, [](const Bits& same) { return same; });
 }
 
 void BlockWriter::end() {
-    put(bytes_[end_of_block]);
-}
-
-std::vector<std::uint8_t> BlockWriter::finish() {
-    stream_.resize(size_);
-    for (; bit_count_ > 0; bit_count_ -= 8, bits_ >>= 8) stream_.push_back(static_cast<std::uint8_t>(bits_));
-    return std::move(stream_);
+    writer_.put(bytes_[end_of_block]);
 }
 
 void BlockWriter::write_code_lengths(std::span<const std::uint8_t> literals,
@@ -287,25 +277,18 @@ void BlockWriter::write_code_lengths(std::span<const std::uint8_t> literals,
     for (std::size_t i = 0; i < ordered.size(); ++i) ordered[i] = code_sizes[order_of_lengths[i]];
     const std::size_t ordered_used = used_symbols(ordered);
 
-    put({static_cast<std::uint32_t>(literals_used - 257), 5});
-    put({static_cast<std::uint32_t>(distances_used - 1), 5});
-    put({static_cast<std::uint32_t>(ordered_used - 4), 4});
-    for (std::size_t i = 0; i < ordered_used; ++i) put({ordered[i], 3});
+    writer_.put({static_cast<std::uint32_t>(literals_used - 257), 5});
+    writer_.put({static_cast<std::uint32_t>(distances_used - 1), 5});
+    writer_.put({static_cast<std::uint32_t>(ordered_used - 4), 4});
+    for (std::size_t i = 0; i < ordered_used; ++i) writer_.put({ordered[i], 3});
     const std::vector<Bits> code = codes(code_sizes);
     for (const LengthSymbol& symbol : symbols)
-        put(joined(code[symbol.symbol], symbol.extra, symbol.extra_bits));
-}
-
-void BlockWriter::put_word() {
-    if (stream_.size() < size_ + 4) stream_.resize(2 * size_ + 4096);
-    for (int i = 0; i < 4; ++i) stream_[size_++] = static_cast<std::uint8_t>(bits_ >> 8 * i);
-    bits_ >>= 32;
-    bit_count_ -= 32;
+        writer_.put(joined(code[symbol.symbol], {symbol.extra, symbol.extra_bits}));
 }
 
 void Deflater::write_block(bool last) {
     TokenCounts counts;
-    for (const Token& token : tokens_) counts.add(token);
+    counts.add(tokens_);
     writer_.begin(counts, last);
     writer_.add(tokens_);
     writer_.end();

@@ -25,14 +25,53 @@ struct TokenCounts {
     std::array<std::uint32_t, 286> literals{};  // 256 bytes, the end of a block, lengths
     std::array<std::uint32_t, 30> distances{};
 
-    void add(Token token);
+    void add(std::span<const Token> tokens);
     void add(const TokenCounts& others, std::uint32_t times);
 };
 
-// Up to 32 bits of a deflate stream, the first lowest.
+// Some bits of a deflate stream, the first lowest.
 struct Bits {
-    std::uint32_t bits = 0;
-    int count = 0;
+    std::uint64_t bits = 0;
+    int count = 0;  // at most 56
+};
+
+// Appends bits to bytes.
+class BitWriter {
+  public:
+    explicit BitWriter(std::vector<std::uint8_t> stream)
+        : stream_(std::move(stream)), size_(stream_.size()) {}
+
+    void put(Bits bits) {
+        const Bits one[] = {bits};
+        put_all(one, [](const Bits& same) { return same; });
+    }
+
+    // What `bits_of` makes of each item.
+    template <class Items, class BitsOf>
+    void put_all(const Items& items, const BitsOf& bits_of) {
+        stream_.resize(size_ + 8 * (std::size(items) + 1));
+        std::uint8_t* out = stream_.data() + size_;
+        Bits open = open_;
+        for (const auto& item : items) {
+            const Bits next = bits_of(item);
+            open.bits |= next.bits << open.count;
+            open.count += next.count;
+            for (std::size_t i = 0; i < 8; ++i) out[i] = static_cast<std::uint8_t>(open.bits >> 8 * i);
+            out += open.count / 8;
+            open.bits >>= open.count / 8 * 8;
+            open.count %= 8;
+        }
+        open_ = open;
+        size_ = static_cast<std::size_t>(out - stream_.data());
+    }
+
+    // All bytes. Nothing may be put afterwards.
+    std::vector<std::uint8_t> finish();
+
+  private:
+    std::vector<std::uint8_t> stream_;
+    std::size_t size_;  // of what is written; behind it may stand anything
+    Bits open_;         // fewer than 8, not written yet
 };
 
 // Writes a deflate stream block by block, each with Huffman codes of its own. The same tokens give the same
@@ -40,7 +79,7 @@ struct Bits {
 class BlockWriter {
   public:
     // Appends to what `stream` has already.
-    explicit BlockWriter(std::vector<std::uint8_t> stream);
+    explicit BlockWriter(std::vector<std::uint8_t> stream) : writer_(std::move(stream)) {}
 
     // Begins a block of tokens that have these counts.
     void begin(TokenCounts counts, bool last);
@@ -51,24 +90,13 @@ class BlockWriter {
     void end();
 
     // The whole stream. Nothing may be added afterwards.
-    std::vector<std::uint8_t> finish();
+    std::vector<std::uint8_t> finish() { return writer_.finish(); }
 
   private:
-    Bits length_bits(Token token) const { return lengths_[token.length]; }
-    Bits distance_bits(Token token) const;
+    Bits bits_of(Token token) const;
     void write_code_lengths(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances);
 
-    void put(Bits bits) {
-        bits_ |= std::uint64_t{bits.bits} << bit_count_;
-        bit_count_ += bits.count;
-        if (bit_count_ >= 32) put_word();
-    }
-    void put_word();
-
-    std::vector<std::uint8_t> stream_;  // written up to size_
-    std::size_t size_;
-    std::uint64_t bits_ = 0;  // not written yet, the earliest lowest
-    int bit_count_ = 0;
+    BitWriter writer_;
 
     // The codes of the block.
     std::array<Bits, 257> bytes_;  // and the end of the block

@@ -30,7 +30,7 @@ FrameEncoder::FrameEncoder(int width, int height)
       repeated_row_(tokenizer_.repeated_row()),
       rows_(static_cast<std::size_t>(Tiles(width, height).rows())) {
     assert(width > 0 && height > 0);
-    for (const Token& token : repeated_row_) repeated_row_counts_.add(token);
+    repeated_row_counts_.add(repeated_row_);
 }
 
 std::vector<std::uint8_t> FrameEncoder::encode(const Image& image, const Tiles& inked, const Tiles& changed,

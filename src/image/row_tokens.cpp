@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 
 namespace ropesim {
@@ -10,25 +11,35 @@ namespace {
 
 constexpr std::uint16_t pixel_bytes = 3;
 constexpr std::size_t worth_skipping = 64;  // zeros that are faster summed up at once than one by one
+constexpr std::size_t readable = 4;         // bytes behind a row, of which `repeats` may read some
 constexpr std::uint8_t filter_up = 2;       // what a row of a PNG begins with that is less the row above
 
-// Repetitions of what stands `distance` bytes back, for as much of `length` bytes as they can be used for:
-// all, or all but one or two. Gives how many to `add`, and returns how many.
-template <class Add>
-std::size_t add_run(std::size_t length, std::uint16_t distance, const Add& add) {
+// Writes repetitions of what stands `distance` bytes back, for as much of `length` bytes as they can be used
+// for: all, or all but one or two. Returns how many.
+std::size_t add_run(std::size_t length, std::uint16_t distance, Token*& out) {
     std::size_t left = length;
     while (left >= shortest_repetition) {
         const auto part = static_cast<std::uint16_t>(std::min<std::size_t>(left, longest_repetition));
-        add(Token{part, distance});
+        *out++ = {part, distance};
         left -= part;
     }
     return length - left;
 }
 
+// Whether the three bytes from `i` on are those that stand `distance` bytes before them. One more may be
+// read.
+bool repeats(const std::uint8_t* i, std::ptrdiff_t distance) {
+    constexpr std::uint32_t three = std::endian::native == std::endian::little ? 0x00ffffff : 0xffffff00;
+    std::uint32_t here = 0;
+    std::uint32_t before = 0;
+    std::memcpy(&here, i, sizeof here);
+    std::memcpy(&before, i - distance, sizeof before);
+    return ((here ^ before) & three) == 0;
+}
+
 // How many bytes from `begin` on repeat what stands `distance` bytes before them, up to `end`.
 std::size_t run_length(const std::uint8_t* begin, std::ptrdiff_t distance, const std::uint8_t* end) {
     const std::uint8_t* i = begin;
-    while (end - i >= 8 && std::memcmp(i, i - distance, 8) == 0) i += 8;
     while (i < end && *i == *(i - distance)) ++i;
     return static_cast<std::size_t>(i - begin);
 }
@@ -44,15 +55,20 @@ const std::uint8_t* past_zeros(const std::uint8_t* begin, const std::uint8_t* en
 }  // namespace
 
 RowTokenizer::RowTokenizer(int width)
-    : filtered_(1 + pixel_bytes * static_cast<std::size_t>(width), 0), zeros_(filtered_.size() - 1, 0) {
+    : zeros_(pixel_bytes * static_cast<std::size_t>(width), 0),
+      filtered_(1 + zeros_.size() + readable, 0),
+      tokens_(1 + zeros_.size()) {
     filtered_[0] = filter_up;
 }
 
 std::vector<Token> RowTokenizer::repeated_row() const {
-    std::vector<Token> tokens{{0, filter_up}, {0, 0}};
-    const auto add = [&](Token token) { tokens.push_back(token); };
-    const std::size_t zeros = filtered_.size() - 2;
-    tokens.insert(tokens.end(), zeros - add_run(zeros, 1, add), Token{0, 0});
+    std::vector<Token> tokens(1 + zeros_.size(), Token{0, 0});
+    Token* out = tokens.data();
+    *out++ = {0, filter_up};
+    *out++ = {0, 0};
+    const std::size_t zeros = zeros_.size() - 1;
+    const std::size_t literals = zeros - add_run(zeros, 1, out);
+    tokens.resize(static_cast<std::size_t>(out - tokens.data()) + literals);
     return tokens;
 }
 
@@ -103,29 +119,26 @@ void RowTokenizer::add_row(const std::uint8_t* row, const std::uint8_t* above, R
 }
 
 void RowTokenizer::add_filtered_row(RowTokens& rows) {
-    const auto add = [&](Token token) {
-        rows.tokens.push_back(token);
-        rows.counts.add(token);
-    };
     const std::uint8_t* const bytes = filtered_.data();
-    const std::size_t size = filtered_.size();
+    const std::size_t size = 1 + zeros_.size();
+    Token* out = tokens_.data();
     std::size_t unchecked = 0;
-    std::size_t i = 0;
     span_ = 0;
-    add({0, bytes[i++]});
-    while (i < size) {
-        std::uint16_t distance = 1;
-        std::size_t length = bytes[i - 1] == 0 ? zeros_from(i) : run_length(bytes + i, 1, bytes + size);
-        if (length < shortest_repetition && i >= pixel_bytes) {
+    *out++ = {0, bytes[0]};
+    for (std::size_t i = 1; i < size;) {
+        std::uint16_t distance = 0;
+        if (repeats(bytes + i, 1))
+            distance = 1;
+        else if (i >= pixel_bytes && repeats(bytes + i, pixel_bytes))
             distance = pixel_bytes;
-            length = run_length(bytes + i, distance, bytes + size);
-        }
-        if (length < shortest_repetition) {
-            add({0, bytes[i++]});
+        if (distance == 0 || size - i < shortest_repetition) {
+            *out++ = {0, bytes[i++]};
             continue;
         }
-        length = add_run(length, distance, add);
-        if (distance == 1 && bytes[i] == 0 && length >= worth_skipping) {
+        const bool zeros = distance == 1 && bytes[i] == 0;
+        const std::size_t found = zeros ? zeros_from(i) : run_length(bytes + i, distance, bytes + size);
+        const std::size_t length = add_run(found, distance, out);
+        if (zeros && length >= worth_skipping) {
             rows.checksum.add(std::span(bytes + unchecked, bytes + i));
             rows.checksum.add_zeros(length);
             unchecked = i + length;
@@ -133,6 +146,8 @@ void RowTokenizer::add_filtered_row(RowTokens& rows) {
         i += length;
     }
     rows.checksum.add(std::span(bytes + unchecked, bytes + size));
+    rows.tokens.insert(rows.tokens.end(), tokens_.data(), out);
+    rows.counts.add(std::span(tokens_.data(), out));
 }
 
 // How many bytes of the filtered row are zero from byte i on. Between the spans all are.
@@ -148,7 +163,7 @@ std::size_t RowTokenizer::zeros_from(std::size_t i) {
         }
         ++span_;
     }
-    return filtered_.size() - i;
+    return 1 + zeros_.size() - i;
 }
 
 }  // namespace ropesim

@@ -45,12 +45,12 @@ class RowTokenizer {
     void add_filtered_row(RowTokens& rows);
     std::size_t zeros_from(std::size_t i);
 
-    std::vector<std::uint8_t> filtered_;  // a row, behind the byte that names its filter; zero between rows
     std::vector<std::uint8_t> zeros_;     // above the first row
+    std::vector<std::uint8_t> filtered_;  // a row behind the byte that names its filter; zero between rows
+    std::vector<Token> tokens_;           // of a row
     std::vector<PixelBox> boxes_;
-    std::vector<Span>
-        spans_;             // that may differ from the row above; from left to right, apart from each other
-    std::size_t span_ = 0;  // the first of them that does not end before where the tokenizer is
+    std::vector<Span> spans_;  // what may differ from the row above, from left to right
+    std::size_t span_ = 0;     // the first that does not end before where the tokenizer is
 };
 
 }  // namespace ropesim

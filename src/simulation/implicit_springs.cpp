@@ -150,7 +150,36 @@ bool take_step(const Rope& rope, double c, ImplicitSprings& springs) {
     return false;
 }
 
+bool take_whole_or_halves(ImplicitStep* take_step, const Rope& rope, double h, double kept, int halvings_left,
+                          State& state, Scratch& scratch) {
+    if (take_step(rope, h, kept, state, scratch)) return true;
+    if (halvings_left == 0) return false;
+    for (int half = 0; half < 2; ++half)
+        if (!take_whole_or_halves(take_step, rope, h / 2.0, std::sqrt(kept), halvings_left - 1, state,
+                                  scratch))
+            return false;
+    return true;
+}
+
 }  // namespace
+
+void place_unsprung(const Points& position, const Points& moved, ImplicitSprings& springs) {
+    const Eigen::Index links = position.rows() - 1;
+    springs.unsprung = (position.bottomRows(links) - position.topRows(links)) +
+                       (moved.bottomRows(links) - moved.topRows(links));
+}
+
+void take_implicit_steps(ImplicitStep* take_step, const Rope& rope, const Stepping& stepping, State& state,
+                         Scratch& scratch) {
+    constexpr int most_halvings = 20;
+    const double kept = velocity_kept(rope, stepping);
+    for (long step = 0; step < stepping.steps; ++step) {
+        if (take_whole_or_halves(take_step, rope, stepping.step_size, kept, most_halvings, state, scratch))
+            continue;
+        state.position = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+}
 
 Eigen::Array3d link_stiffness(const Rope& rope, double dx, double dy, bool without_compression) {
     const double L = length(dx, dy);

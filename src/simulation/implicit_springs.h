@@ -6,6 +6,8 @@
 namespace ropesim {
 
 struct Cost;
+struct Scratch;
+struct Stepping;
 
 // Working arrays of the Newton iteration below; nothing in them outlives a step.
 struct ImplicitSprings {
@@ -28,8 +30,21 @@ struct ImplicitSprings {
 // Done when every row is off by no more than `implicit_tolerance` of the terms that it is the difference of;
 // false where that is not reached in `most_iterations`. Adds to the cost.
 inline constexpr double implicit_tolerance = 4e-15;
-inline constexpr int most_iterations = 500;
+inline constexpr int most_iterations = 100;
 bool solve_implicit_springs(const Rope& rope, double c, ImplicitSprings& springs, Cost& cost);
+
+// Fills `unsprung`: the links where the masses have moved so.
+void place_unsprung(const Points& position, const Points& moved, ImplicitSprings& springs);
+
+// A step of size h in which damping leaves the share `kept` of a velocity. False, and the state as it was,
+// where its iteration finds no solution.
+using ImplicitStep = bool(const Rope& rope, double h, double kept, State& state, Scratch& scratch);
+
+// Advances by steps; where one finds no solution, as from a crumpled rope that shoots apart in it, by two of
+// half its size, and these likewise: halved often enough, M outweighs c ∂²U, and Newton's way is straight.
+// Positions are NaN where that does not help either.
+void take_implicit_steps(ImplicitStep* take_step, const Rope& rope, const Stepping& stepping, State& state,
+                         Scratch& scratch);
 
 // The stiffness of a spring from link vector (dx, dy), its force's derivative: k n nᵀ + k (1 - l/L) (1 - n
 // nᵀ), as xx, xy, yy. `without_compression` leaves the second part out where it is negative. Zero length: no

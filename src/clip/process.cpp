@@ -81,6 +81,13 @@ std::string read_all(int file) {
     }
 }
 
+int wait_for(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
 }  // namespace
 
 bool is_installed(const std::string& program) {
@@ -99,13 +106,18 @@ std::string run_program(const std::vector<std::string>& command, const std::file
     Pipe::close(input.read_end);
     Pipe::close(output.write_end);
     const auto old_action = std::signal(SIGPIPE, SIG_IGN);
-    feed([&](std::string_view bytes) { write_all(input.write_end, bytes); });
+    try {
+        feed([&](std::string_view bytes) { write_all(input.write_end, bytes); });
+    } catch (...) {
+        std::signal(SIGPIPE, old_action);
+        ::kill(process, SIGKILL);  // lest it takes the end of its input for the end of what was to come
+        wait_for(process);
+        throw;
+    }
     Pipe::close(input.write_end);
     std::signal(SIGPIPE, old_action);
     const std::string text = read_all(output.read_end);
-    int status = 0;
-    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = wait_for(process);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error(command[0] + " failed");
     return text;
 }

@@ -7,7 +7,9 @@
 #include "image/png.h"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 
+#include <cerrno>
 #include <cstdlib>
 
 namespace ropesim {
@@ -74,6 +76,18 @@ TEST_F(Video, IsNotMadeWhereAFrameIsMissingAndAnOlderOneStays) {
     std::filesystem::remove(folder.path() / frame_name(6, 12));
     EXPECT_THROW(write_video(video, folder.path(), frames, 12), std::runtime_error);
     EXPECT_EQ(read_file(video).size(), 5u);
+}
+
+// A folder in the place of a frame is there, and cannot be read.
+TEST_F(Video, LeavesNothingWhereItsFramesBreakOff) {
+    const std::filesystem::path frame = folder.path() / frame_name(6, 12);
+    std::filesystem::remove(frame);
+    std::filesystem::create_directory(frame);
+    EXPECT_THROW(write_video(folder.path() / "clip.mp4", folder.path(), frames, 12), std::runtime_error);
+    EXPECT_EQ(::waitpid(-1, nullptr, 0), -1);  // no process either
+    EXPECT_EQ(errno, ECHILD);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_EQ(entry.path().extension(), ".png") << entry.path();
 }
 
 TEST_F(Video, IsNotMadeOfABrokenFrame) {

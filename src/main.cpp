@@ -103,7 +103,10 @@ int run(int count, char** values) {
 int main(int count, char** values) {
     ropesim::end_at_signals();
     try {
-        return run(count, values);
+        const int status = run(count, values);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            return complain("standard output: cannot write all of it");
+        return status;
     } catch (const ropesim::Interrupted& interrupted) {
         complain("interrupted; the same command with --resume goes on from here");
         return 128 + interrupted.signal;

@@ -146,6 +146,25 @@ TEST_F(CommandLine, WritesCsvToStandardOutput) {
     EXPECT_THAT(outcome.out, StartsWith("frame,rope,node,x,y\n0,Euler,0,0,200\n0,Euler,1,-200,200\n"));
 }
 
+TEST_F(CommandLine, FailsWhereStandardOutputCannotBeWritten) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"methods"},
+                                               {"scenes"},
+                                               {"scenes", "seed"},
+                                               {"doctor"},
+                                               {"--version"},
+                                               {"render", "--help"},
+                                               {"render", "--size", "96x64", "--frames", "0:1"},
+                                               {"simulate", "-o", "-", "--frames", "0:1"},
+                                               {"simulate", "-o", "-", "--no-error"}}) {
+        const Outcome outcome = ropesim_with_full_output(temporary.path(), arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments[0];
+        EXPECT_THAT(outcome.err, AllOf(StartsWith("ropesim: "), HasSubstr("standard output: ")))
+            << arguments[0];
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+}
+
 TEST_F(CommandLine, PrintsBuiltInScenesThatItReads) {
     const Outcome list = run({"scenes"});
     for (const BuiltinScene& scene : builtin_scenes()) {

@@ -39,6 +39,14 @@ Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::stri
     return {status, text_of(out), text_of(err)};
 }
 
+Outcome ropesim_with_full_output(const std::filesystem::path& folder,
+                                 const std::vector<std::string>& arguments) {
+    const TemporaryFolder output;
+    const std::string err = output.path() / "err";
+    const int status = wait_for(start(folder, arguments, "/dev/full", err));
+    return {status, "", text_of(err)};
+}
+
 pid_t start_ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
     return start(folder, arguments, "/dev/null", "/dev/null");
 }

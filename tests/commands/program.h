@@ -17,6 +17,10 @@ struct Outcome {
 // Runs the program with these arguments in the folder.
 Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
 
+// The same with a standard output that can hold nothing, as on a full disk.
+Outcome ropesim_with_full_output(const std::filesystem::path& folder,
+                                 const std::vector<std::string>& arguments);
+
 // Starts it without waiting; its output goes to nobody.
 pid_t start_ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
 

@@ -2,6 +2,7 @@
 
 #include "scene/path.h"
 #include "scene/words.h"
+#include "simulation/diagnostics.h"
 #include "simulation/method.h"
 
 #include <algorithm>
@@ -67,6 +68,24 @@ std::optional<KeyProblem> problem_of_path(const SceneRope& rope) {
     return std::nullopt;
 }
 
+// Direct projection keeps the lengths that links start with, and so must be given the right ones.
+std::optional<KeyProblem> problem_of_lengths(const SceneRope& rope) {
+    if (rope.method != "direct_projection") return std::nullopt;
+    const Points points = points_along(rope);
+    const double rest_length = rope.rest_length.value_or(path_length(rope) / (rope.nodes - 1));
+    for (Eigen::Index i = 0; i + 1 < points.rows(); ++i) {
+        const double length = std::sqrt((points.row(i + 1) - points.row(i)).square().sum());
+        if (is_rest_length(rest_length, length)) continue;
+        return KeyProblem{rope.rest_length   ? "rest_length"
+                          : rope.via.empty() ? "end"
+                                             : "via",
+                          "link " + std::to_string(i) + " starts " + number_text(length) +
+                              " long, and direct_projection expects its rest length, " +
+                              number_text(rest_length)};
+    }
+    return std::nullopt;
+}
+
 std::optional<KeyProblem> problem_of_masses(const SceneRope& rope) {
     if (rope.masses.empty()) return std::nullopt;
     if (rope.mass != SceneRope().mass)
@@ -122,6 +141,7 @@ std::optional<KeyProblem> problem_of_rope(const SceneRope& rope) {
         return KeyProblem{"damping_factor",
                           "expected either damping (a rate) or damping_factor (per step), not both"};
     if (auto problem = problem_of_path(rope)) return problem;
+    if (auto problem = problem_of_lengths(rope)) return problem;
     return problem_of_pins(rope);
 }
 

@@ -65,9 +65,15 @@ double longest_link(const Points& position) {
     return link_lengths(position).maxCoeff();
 }
 
-bool links_at_rest_length(const Rope& rope, const Points& position) {
+bool is_rest_length(double rest_length, double length) {
     constexpr double tolerance = 1e-9;
-    return ((link_lengths(position) - rope.rest_length).abs() <= tolerance * rope.rest_length).all();
+    return std::abs(length - rest_length) <= tolerance * rest_length;
+}
+
+bool links_at_rest_length(const Rope& rope, const Points& position) {
+    const Eigen::ArrayXd lengths = link_lengths(position);
+    return std::all_of(lengths.begin(), lengths.end(),
+                       [&](double length) { return is_rest_length(rope.rest_length, length); });
 }
 
 double rope_length(const Points& position) {

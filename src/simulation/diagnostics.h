@@ -22,7 +22,9 @@ double greatest_distance(const Points& expected, const Points& actual);
 // Greatest length of a link, world units.
 double longest_link(const Points& position);
 
-// Whether every link has its rest length, to 1e-9 of it: what a rope must start with to move without springs.
+// Whether a link, or every link, has its rest length, to 1e-9 of it: what a rope must start with to move
+// without springs.
+bool is_rest_length(double rest_length, double length);
 bool links_at_rest_length(const Rope& rope, const Points& position);
 
 // Length along the rope, world units.

@@ -195,6 +195,17 @@ TEST(ParseScene, PointsAtKeysThatDoNotGoTogether) {
     expect_refusal(rope + "name = \"rope 2\"\n" + rope, "5:1", "name", "'rope 2'");
 }
 
+// Links of 400/15 from start to end; over a corner at no node, one link is shorter than the path's.
+TEST(ParseScene, PointsAtLengthsThatDirectProjectionCannotKeep) {
+    const std::string direct = "method = \"direct_projection\"\n";
+    expect_refusal(rope + direct + "rest_length = 10\n", "5:15", "link 0 starts ",
+                   "expects its rest length, 10");
+    expect_refusal("[[rope]]\nstart = [0, 0]\nvia = [[3, 4]]\nend = [6, 0]\nnodes = 4\n" + direct, "3:7",
+                   "link 1 starts 2.0 long", "3.33");
+    EXPECT_NO_THROW(parse_scene(
+        "[[rope]]\nstart = [0, 0]\nvia = [[3, 4]]\nend = [6, 0]\nnodes = 5\n" + direct, "a.toml"));
+}
+
 TEST(ParseScene, SaysThatASceneNeedsARope) {
     expect_refusal("", "1:1", "[[rope]]");
     expect_refusal("title = \"alone\"\n", "1:1", "[[rope]]");

@@ -1,3 +1,4 @@
+#include "simulation/diagnostics.h"
 #include "simulation/lanes.h"
 #include "simulation/link_impulses.h"
 #include "simulation/links.h"
@@ -49,7 +50,7 @@ void require_rest_lengths(const Rope& rope, const State& state) {
     for (Index link = 0; link + 1 < state.position.rows(); ++link) {
         const Eigen::Array2d d = difference(state.position, link);
         const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
-        if (!(std::abs(length - rope.rest_length) <= 1e-9 * rope.rest_length))
+        if (!is_rest_length(rope.rest_length, length))
             throw std::runtime_error(
                 "direct_projection: link " + std::to_string(link) + " is " + std::to_string(length) +
                 " long at the start; expected its rest length, " + std::to_string(rope.rest_length));

@@ -1,154 +1,248 @@
-// What a frame of the seed's clip costs at 1280 x 720 on one core, in four ways that take turns, so that a
-// busy machine slows all alike: ours; our pictures by libpng's defaults; cairo's draw and write; and for
-// what it is worth, ours without the disk. Prints the median over the rounds and the ratio to cairo's.
+// What a frame costs: ours, by one process and by two; our pictures by libpng's defaults; and the same
+// picture drawn and written by cairo and by OpenCV. Each is a process, or two, that has started, has made its
+// first frame, and waits; they take turns, so that whatever slows the machine slows all alike. Then what the
+// parts of ours cost, each alone: together they are the floor.
 
-#include "clip/file.h"
+#include "benchmarks/frame_makers.h"
+#include "benchmarks/processor.h"
+#include "clip/find_scene.h"
 #include "clip/frames.h"
-#include "clip/manifest.h"
-#include "clip/picture.h"
 #include "clip/run.h"
-#include "image/frame_encoder.h"
 
-#include <cairo.h>
-#include <png.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <stdexcept>
 
 namespace {
 
 using namespace ropesim;
 
-constexpr int rounds = 9;
-constexpr long frames = 40;  // in each round
+constexpr int rounds = 5;
+constexpr double round_seconds = 0.12;  // at least, and at least two frames
 
-// The same picture as ours, as a careful user of cairo draws it: round joins, then round points.
-void draw_by_cairo(cairo_t* cairo, const Scene& scene, const std::vector<Points>& ropes) {
-    const auto channel = [](std::uint8_t byte) { return byte / 255.0; };
-    const double scale = scene.size[1] / scene.view.height;
-    const auto column = [&](double x) { return scene.size[0] / 2.0 + (x - scene.view.center[0]) * scale; };
-    const auto row = [&](double y) { return scene.size[1] / 2.0 - (y - scene.view.center[1]) * scale; };
-    const auto colour = [&](const Color& color) {
-        cairo_set_source_rgb(cairo, channel(color[0]), channel(color[1]), channel(color[2]));
-    };
-    colour(scene.background);
-    cairo_paint(cairo);
-    for (std::size_t i = 0; i < ropes.size(); ++i) {
-        const SceneRope& rope = scene.ropes[i];
-        colour(rope.color);
-        cairo_set_line_width(cairo, rope.line_width);
-        cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-        for (Eigen::Index mass = 0; mass < ropes[i].rows(); ++mass)
-            cairo_line_to(cairo, column(ropes[i](mass, 0)), row(ropes[i](mass, 1)));
-        cairo_stroke(cairo);
-        for (Eigen::Index mass = 0; mass < ropes[i].rows(); ++mass) {
-            cairo_arc(cairo, column(ropes[i](mass, 0)), row(ropes[i](mass, 1)), rope.point_size / 2, 0,
-                      6.2831853);
-            cairo_fill(cairo);
+struct Case {
+    std::string name;
+    Scene scene;
+    Positions motion;
+};
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// A process that makes every `count`th frame from `index` on, for a round whenever it is told to.
+class Worker {
+  public:
+    Worker(const Case& of, FrameMaker maker, int index, int count, const std::filesystem::path& folder) {
+        std::array<int, 2> to{}, from{};
+        if (::pipe(to.data()) != 0 || ::pipe(from.data()) != 0)
+            throw std::runtime_error("cannot make a pipe");
+        std::fflush(nullptr);
+        process_ = ::fork();
+        if (process_ < 0) throw std::runtime_error("cannot start a process");
+        if (process_ == 0) {
+            ::close(to[1]);
+            work(of, maker, index, count, folder, to[0], from[1]);
+        }
+        ::close(to[0]);
+        ::close(from[1]);
+        to_ = to[1];
+        from_ = from[0];
+        result();
+    }
+    ~Worker() {
+        const char stop = 0;  // closing the pipe does not end it: workers that began later hold its end, too
+        (void)!::write(to_, &stop, 1);
+        ::close(to_);
+        ::close(from_);
+        ::waitpid(process_, nullptr, 0);
+    }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    void begin_round() const {
+        const char go = 1;
+        if (::write(to_, &go, 1) != 1) throw std::runtime_error("a process has ended");
+    }
+
+    // Frames per second in the round.
+    double result() const {
+        double rate = 0.0;
+        if (::read(from_, &rate, sizeof rate) != sizeof rate)
+            throw std::runtime_error("a process has failed");
+        return rate;
+    }
+
+  private:
+    [[noreturn]] static void work(const Case& of, FrameMaker maker, int index, int count,
+                                  const std::filesystem::path& folder, int from, int to) {
+        try {
+            const MakeFrame make_frame = maker(of.scene, of.motion);
+            const auto frames = static_cast<long>(of.motion.size());
+            long frame = index;
+            const auto make_next = [&] {
+                make_frame(frame % frames,
+                           folder / (std::to_string(index) + frame_name(frame % frames, frames)));
+                frame += count;
+            };
+            make_next();
+            double rate = 0.0;
+            for (char go = 0;
+                 ::write(to, &rate, sizeof rate) == sizeof rate && ::read(from, &go, 1) == 1 && go == 1;) {
+                const double begin = seconds();
+                int made = 0;
+                for (; made < 2 || seconds() - begin < round_seconds; ++made) make_next();
+                rate = made / (seconds() - begin);
+            }
+            ::_exit(0);
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "frames_benchmark: %s\n", error.what());
+            ::_exit(1);
         }
     }
-    colour({255, 255, 255});
-    cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, 18);
-    cairo_move_to(cairo, 10, 24);
-    cairo_show_text(cairo, scene.title.c_str());
-    cairo_move_to(cairo, 10, 48);
-    cairo_show_text(cairo, ("Steps per frame: " + std::to_string(scene.steps_per_frame)).c_str());
-}
 
-void write_by_libpng(const Image& image, const std::filesystem::path& path) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGB;
-    if (png_image_write_to_file(&png, path.c_str(), 0, image.rgb.data(), 0, nullptr) == 0)
-        throw std::runtime_error(png.message);
-}
+    pid_t process_ = 0;
+    int to_ = -1;
+    int from_ = -1;
+};
 
 struct Contestant {
     const char* name;
-    std::function<void(long frame, const std::filesystem::path& path)> make_frame;
-    std::vector<double> milliseconds;  // per frame, one number a round
+    FrameMaker maker;
+    int processes;
+    std::vector<std::unique_ptr<Worker>> workers;
+    std::vector<double> rates;  // frames per second, one number a round
+
+    double rate() {
+        std::sort(rates.begin(), rates.end());
+        return rates[rates.size() / 2];
+    }
 };
 
-double milliseconds_per_frame(const Contestant& contestant, const std::filesystem::path& folder) {
-    const auto start = std::chrono::steady_clock::now();
-    for (long frame = 0; frame < frames; ++frame)
-        contestant.make_frame(frame, folder / (contestant.name + frame_name(frame, frames)));
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() /
-           static_cast<double>(frames);
+std::vector<Contestant> contestants() {
+    std::vector<Contestant> all;
+    all.push_back({"cairo", by_cairo, 1, {}, {}});
+#if defined(ROPESIM_OPENCV)
+    all.push_back({"OpenCV", by_opencv, 1, {}, {}});
+#endif
+    all.push_back({"ropesim's pictures by libpng", by_libpng, 1, {}, {}});
+    all.push_back({"ropesim", by_ropesim, 1, {}, {}});
+    all.push_back({"ropesim, two processes", by_ropesim, 2, {}, {}});
+    return all;
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
-std::vector<Contestant> contestants(const Scene& scene, const Positions& motion, Renderer& renderer,
-                                    cairo_t* cairo) {
-    const auto draw = [&](long frame) -> const Image& {
-        return renderer.draw(polylines(scene, motion.at(frame)));
-    };
-    const auto encoder = std::make_shared<FrameEncoder>(scene.size[0], scene.size[1]);
-    const auto texts = std::make_shared<Texts>(frame_texts(scene, ""));
-    const auto encode = [&renderer, texts, draw, encoder](long frame) {
-        set_frame(*texts, frame);
-        const Image& image = draw(frame);
-        return encoder->encode(image, renderer.inked(), renderer.changed(), *texts);
-    };
-    return {{"ropesim", [=](long frame, const auto& path) { write_file(path, encode(frame)); }, {}},
-            {"ropesim, not written", [=](long frame, const auto&) { encode(frame); }, {}},
-            {"ropesim, drawing only", [=](long frame, const auto&) { draw(frame); }, {}},
-            {"ropesim, PNG by libpng",
-             [=](long frame, const auto& path) { write_by_libpng(draw(frame), path); },
-             {}},
-            {"cairo",
-             [&scene, &motion, cairo](long frame, const auto& path) {
-                 draw_by_cairo(cairo, scene, motion.at(frame));
-                 cairo_surface_write_to_png(cairo_get_target(cairo), path.c_str());
-             },
-             {}}};
-}
-
-void race(const std::filesystem::path& folder) {
-    Scene scene = parse_scene(builtin_scenes().front().toml, "seed");
-    scene.size = {1280, 720};
-    const Positions motion = positions(simulate(scene, runs(scene)), parse_frames("", scene.frames));
-    const auto renderer = make_renderer(scene);
-    cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, scene.size[0], scene.size[1]);
-    cairo_t* cairo = cairo_create(surface);
-    std::vector<Contestant> all_of_them = contestants(scene, motion, *renderer, cairo);
+void race(const Case& of, const std::filesystem::path& folder, const char* disk) {
+    std::vector<Contestant> all = contestants();
+    for (Contestant& each : all)
+        for (int i = 0; i < each.processes; ++i)
+            each.workers.push_back(std::make_unique<Worker>(of, each.maker, i, each.processes, folder));
     for (int round = 0; round < rounds; ++round)
-        for (Contestant& contestant : all_of_them)
-            contestant.milliseconds.push_back(milliseconds_per_frame(contestant, folder));
-    cairo_destroy(cairo);
-    cairo_surface_destroy(surface);
-    const double baseline = median(all_of_them.back().milliseconds);
-    std::printf("%-24s %10s %10s %12s\n", "1280 x 720, one core", "ms/frame", "frames/s", "times cairo");
-    for (const Contestant& contestant : all_of_them) {
-        const double each = median(contestant.milliseconds);
-        std::printf("%-24s %10.3f %10.0f %12.1f\n", contestant.name, each, 1000.0 / each, baseline / each);
+        for (Contestant& each : all) {
+            for (const auto& worker : each.workers) worker->begin_round();
+            double rate = 0.0;
+            for (const auto& worker : each.workers) rate += worker->result();
+            each.rates.push_back(rate);
+        }
+    const double baseline = all.front().rate();
+    std::printf("%s, to %s\n", of.name.c_str(), disk);
+    for (Contestant& each : all)
+        std::printf("    %-30s %9.3f ms %9.1f a second %7.1f x cairo\n", each.name, 1000.0 / each.rate(),
+                    each.rate(), each.rate() / baseline);
+    std::fflush(stdout);
+}
+
+void print_stages(const Case& of, const std::filesystem::path& folder, const char* disk) {
+    std::vector<Stages> all;
+    for (int round = 0; round < rounds; ++round) all.push_back(stages(of.scene, of.motion, folder));
+    std::ranges::sort(all, {}, &Stages::sum);
+    const Stages& median = all[all.size() / 2];
+    std::printf("%s, to %s, one process; microseconds of each part alone:\n", of.name.c_str(), disk);
+    std::printf("    clear %.0f, draw %.0f, read %.0f, filter %.0f, compress %.0f, write %.0f\n",
+                median.clearing, median.drawing, median.reading, median.filtering, median.compressing,
+                median.writing);
+    std::printf("    together, the floor: %.0f; a whole frame: %.0f, %.2f x the floor\n", median.sum(),
+                median.whole, median.whole / median.sum());
+}
+
+Scene seed() {
+    return parse_scene(builtin_scenes().front().toml, "seed");
+}
+
+Case make_case(std::string name, Scene scene, int width, int height, int frames) {
+    scene.size = {width, height};
+    scene.frames = frames;
+    Case made{std::move(name), std::move(scene), {}};
+    made.motion = positions(simulate(made.scene, runs(made.scene)), parse_frames("", frames));
+    return made;
+}
+
+// Ropes that hang side by side from the upper half, and swing.
+Scene many_ropes(int count, int masses) {
+    Scene scene = seed();
+    const SceneRope first = scene.ropes.front();
+    scene.ropes.clear();
+    for (int i = 0; i < count; ++i) {
+        SceneRope rope = first;
+        rope.name = "rope " + std::to_string(i);
+        rope.nodes = masses;
+        rope.start = {-400.0 + 800.0 * i / count, 200.0 + 100.0 * std::sin(i)};
+        rope.end = rope.start + Eigen::Array2d(-300.0 * std::cos(0.7 * i), -100.0 * std::sin(0.3 * i));
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            rope.color[channel] =
+                static_cast<std::uint8_t>(55 + 37 * (i + 3 * static_cast<int>(channel)) % 200);
+        scene.ropes.push_back(rope);
     }
+    return scene;
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    all.push_back(make_case("1280 x 720, two ropes of 16", seed(), 1280, 720, 120));
+    all.push_back(make_case("3840 x 2160, two ropes of 16", seed(), 3840, 2160, 120));
+    all.push_back(make_case("320 x 240, two ropes of 16", seed(), 320, 240, 120));
+    all.push_back(make_case("1280 x 720, 64 ropes of 64", many_ropes(64, 64), 1280, 720, 40));
+    all.push_back(make_case("1280 x 720, 1000 ropes of 64", many_ropes(1000, 64), 1280, 720, 10));
+    all.push_back(make_case("1280 x 720, a rope of 100,000", many_ropes(1, 100'000), 1280, 720, 10));
+    all.push_back(
+        make_case("1280 x 720, a rope that diverges", find_scene("explicit-euler").scene, 1280, 720, 60));
+    return all;
+}
+
+void run(const std::filesystem::path& on_disk, const std::filesystem::path& in_memory) {
+    std::printf("%s; one process is one core; medians of %d rounds\n\n", processor().c_str(), rounds);
+    const std::vector<Case> all = cases();
+    print_stages(all.front(), in_memory, "memory");
+    print_stages(all.front(), on_disk, "disk");
+    for (const Case& each : all) race(each, in_memory, "memory");
+    race(all.front(), on_disk, "disk");
 }
 
 }  // namespace
 
+// Of two folders of its own, one is in the folder that is named, or in the usual one for temporary files.
 int main(int count, char** values) {
     const std::filesystem::path folder = count > 1 ? values[1] : std::filesystem::temp_directory_path();
-    const std::filesystem::path frames_folder = folder / ("frames-benchmark-" + std::to_string(std::rand()));
+    const std::string name = "frames-benchmark-" + std::to_string(::getpid());
+    const std::filesystem::path on_disk = folder / name;
+    const std::filesystem::path in_memory = std::filesystem::path("/dev/shm") / name;
+    int status = 0;
     try {
-        std::filesystem::create_directories(frames_folder);
-        race(frames_folder);
-        std::filesystem::remove_all(frames_folder);
-        return 0;
+        std::filesystem::create_directories(on_disk);
+        std::filesystem::create_directories(in_memory);
+        run(on_disk, in_memory);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "frames_benchmark: %s\n", error.what());
-        return 1;
+        status = 1;
     }
+    std::filesystem::remove_all(on_disk);
+    std::filesystem::remove_all(in_memory);
+    return status;
 }

@@ -3,6 +3,7 @@
 // time.
 
 #include "benchmarks/measurement.h"
+#include "benchmarks/processor.h"
 #include "benchmarks/seed_style.h"
 #include "simulation/block_tridiagonal.h"
 #include "simulation/lanes.h"
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #if defined(ROPESIM_LAPACK)
@@ -252,13 +252,6 @@ void print_solvers() {
         if (lapack > 0.0) std::printf("; LAPACK's dpbsv alone %.1f", lapack);
         std::printf("\n");
     }
-}
-
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "an unknown processor";
 }
 
 }  // namespace

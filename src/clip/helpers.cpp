@@ -174,10 +174,11 @@ void Helpers::start(const DrawFrame& draw) {
     helpers_.push_back({process, ends[0]});
 }
 
-bool Helpers::take(long frame, const std::vector<Points>& positions) {
+bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
     receive_marks(false);
-    const auto idlest = std::ranges::min_element(helpers_, {}, &Helper::frames);
-    if (idlest == helpers_.end() || idlest->frames == most_frames) return false;
+    const std::span<Helper> asked(helpers_.data(), static_cast<std::size_t>(std::min(most, count())));
+    const auto idlest = std::ranges::min_element(asked, {}, &Helper::frames);
+    if (idlest == asked.end() || idlest->frames == most_frames) return false;
     if (!send_all(idlest->socket, message_of(frame, positions))) fail();
     ++idlest->frames;
     return true;

@@ -23,9 +23,11 @@ class Helpers {
     Helpers(const Helpers&) = delete;
     Helpers& operator=(const Helpers&) = delete;
 
-    // Has the frame drawn by the helper with the least to do; false where all have enough to do. Throws
-    // std::runtime_error where a helper has failed; it has said why on stderr.
-    bool take(long frame, const std::vector<Points>& positions);
+    int count() const { return static_cast<int>(helpers_.size()); }
+
+    // Has the frame drawn by the one of the first `most` helpers that has the least to do; false where all
+    // have enough to do. Throws std::runtime_error where a helper has failed; it has said why on stderr.
+    bool take(long frame, const std::vector<Points>& positions, int most);
 
     // How many frames were drawn since this was last asked.
     long drawn();

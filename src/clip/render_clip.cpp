@@ -4,12 +4,14 @@
 #include "clip/helpers.h"
 #include "clip/interrupt.h"
 #include "clip/manifest.h"
+#include "clip/pace.h"
 #include "clip/picture.h"
 #include "clip/progress.h"
 #include "image/frame_encoder.h"
 #include "image/png.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <ranges>
 #include <stdexcept>
@@ -75,6 +77,13 @@ class FrameWriter {
     std::unique_ptr<Renderer> renderer_;
 };
 
+// Where nobody said how many: they wait, and cost next to nothing, until it shows that they are worth it. One
+// that would draw fewer frames than this would not be.
+int most_helpers(long frames) {
+    constexpr long least_frames = 8;
+    return static_cast<int>(std::min<long>(processors() - 1, frames / least_frames));
+}
+
 void advance_to(long frame, Simulation& simulation) {
     for (; simulation.frame() < frame; simulation.advance()) Interrupts::check();
 }
@@ -127,11 +136,16 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     result.notes = leftovers(scene, options);
     const Interrupts interrupts;
     FrameWriter writer(scene, options);
-    Helpers helpers(options.jobs - 1, [&](long frame, const auto& at) { writer.write(frame, at); });
     const auto wanted = [&](long frame) { return options.shard.contains(frame); };
-    Progress progress(std::ranges::count_if(options.frames, wanted), options.show_progress);
+    long left = std::ranges::count_if(options.frames, wanted);
+    Progress progress(left, options.show_progress);
+    Helpers helpers(options.jobs ? *options.jobs - 1 : most_helpers(left),
+                    [&](long frame, const auto& at) { writer.write(frame, at); });
+    int at_work = options.jobs ? helpers.count() : 0;
+    Pace pace;
     for (const long frame : options.frames | std::views::filter(wanted)) {
         Interrupts::check();
+        --left;
         if (options.existing == Existing::resume && writer.has_written(frame)) {
             ++result.kept;
             progress.frame_kept();
@@ -139,9 +153,12 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
         }
         if (!given) advance_to(frame, simulation);
         const std::vector<Points>& positions = given ? given->at(frame) : simulation.positions();
-        if (!helpers.take(frame, positions)) {
+        if (!helpers.take(frame, positions, at_work)) {
+            const auto start = std::chrono::steady_clock::now();
             writer.write(frame, positions);
+            pace.add_frame(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
             progress.frames_done(1);
+            at_work = std::max(at_work, pace.worthwhile_helpers(left));
         }
         progress.frames_done(helpers.drawn());
         ++result.written;

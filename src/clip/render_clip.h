@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,9 @@ enum class Existing {
 
 struct ClipOptions {
     std::filesystem::path folder = "frames";
-    FrameList frames;  // which of the scene's
-    Shard shard;       // of those, the ones whose number falls to this shard
-    int jobs = 1;      // processes
+    FrameList frames;         // which of the scene's
+    Shard shard;              // of those, the ones whose number falls to this shard
+    std::optional<int> jobs;  // processes; without it, as many as make the clip faster here
     Existing existing = Existing::refuse;
     bool show_progress = false;
     std::string positions_digest;  // of the file that the positions came from, if any

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace ropesim {
@@ -23,7 +24,7 @@ struct RenderOptions {
     std::string folder = "frames";
     std::string frames;
     std::string size;
-    int jobs = 1;
+    std::optional<int> jobs;
     std::string shard = "0/1";
     bool resume = false;
     bool overwrite = false;
@@ -42,10 +43,10 @@ void add_options(CLI::App& app, RenderOptions& options) {
         ->type_name("LIST");
     app.add_option("--size", options.size, "size of the picture in pixels, such as 1280x720")
         ->type_name("WxH");
-    app.add_option("--jobs", options.jobs, "processes that share the frames")
+    app.add_option("--jobs", options.jobs,
+                   "processes that share the frames; by default, as many as make the clip faster")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+        ->check(CLI::Range(1, 1024).description(""));
     app.add_option("--shard", options.shard, "only frames whose number is I modulo N")->type_name("I/N");
     CLI::Option* resume =
         app.add_flag("--resume", options.resume, "keep the frames that this very scene and version made");
@@ -62,7 +63,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
         "Examples:\n"
         "  ropesim render                              two ropes into frames/\n"
         "  ropesim render -s 8 -o blown-up             the same with 8 steps per frame\n"
-        "  ropesim render my.toml --jobs 4 --video my.mp4\n"
+        "  ropesim render my.toml --video my.mp4\n"
         "  ropesim render frames/frame_0042.png -o again");
 }
 

@@ -21,9 +21,10 @@ struct Row {
     Command (*make)(CLI::App&);
 };
 
-constexpr std::array<Row, 8> rows{{
+constexpr std::array<Row, 9> rows{{
     {"render", "a scene in, numbered PNG frames out; the default", ropesim::render_command},
     {"simulate", "a scene in, positions of its masses out", ropesim::simulate_command},
+    {"compare", "runs side by side: where methods part, and which is right", ropesim::compare_command},
     {"study", "charts accuracy against speed, and where methods fail", ropesim::study_command},
     {"plan", "find the cheapest method and step that keep to a tolerance", ropesim::plan_command},
     {"diff", "compare pictures or folders of frames; status 3 where they differ", ropesim::diff_command},

@@ -8,14 +8,6 @@ namespace {
 constexpr int gap = 2;  // pixels
 constexpr Color line = {96, 96, 96};
 
-void paste(const Image& from, Image& onto, int left, int top) {
-    for (int y = 0; y < from.height; ++y) {
-        const auto source = from.rgb.begin() + std::ptrdiff_t{3} * y * from.width;
-        const auto target = onto.rgb.begin() + std::ptrdiff_t{3} * ((top + y) * onto.width + left);
-        std::copy_n(source, 3 * from.width, target);
-    }
-}
-
 }  // namespace
 
 Image contact_sheet(const std::vector<std::vector<SheetCell>>& rows, int width, int height,

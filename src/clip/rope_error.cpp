@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -36,8 +37,12 @@ RopeError::Worst RopeError::worst() const {
 }
 
 std::string pixels(double number) {
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.2g px", number);
+    std::array<char, 64> text;
+    const double tens = number < 1e6 ? std::pow(10.0, std::floor(std::log10(number)) - 1.0) : 0.0;
+    if (tens >= 1.0)
+        std::snprintf(text.data(), text.size(), "%.0f px", std::round(number / tens) * tens);
+    else
+        std::snprintf(text.data(), text.size(), "%.2g px", number);
     return text.data();
 }
 

@@ -14,6 +14,7 @@ using Command = std::function<int()>;
 // Each adds its options to the subcommand and gives what runs it.
 Command render_command(CLI::App& app);
 Command simulate_command(CLI::App& app);
+Command compare_command(CLI::App& app);
 Command study_command(CLI::App& app);
 Command plan_command(CLI::App& app);
 Command diff_command(CLI::App& app);

@@ -1,5 +1,6 @@
 #include "image/image.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace ropesim {
@@ -32,6 +33,14 @@ Color pixel(const Image& image, int x, int y) {
 void set_pixel(Image& image, int x, int y, Color color) {
     const std::size_t i = offset(image, x, y);
     for (std::size_t channel = 0; channel < 3; ++channel) image.rgb[i + channel] = color[channel];
+}
+
+void paste(const Image& from, Image& onto, int left, int top) {
+    for (int y = 0; y < from.height; ++y) {
+        const auto source = from.rgb.begin() + std::ptrdiff_t{3} * y * from.width;
+        const auto target = onto.rgb.begin() + std::ptrdiff_t{3} * ((top + y) * onto.width + left);
+        std::copy_n(source, 3 * from.width, target);
+    }
 }
 
 }  // namespace ropesim

@@ -26,4 +26,7 @@ Image filled(int width, int height, Color color);
 Color pixel(const Image& image, int x, int y);
 void set_pixel(Image& image, int x, int y, Color color);
 
+// Copies a picture into another, its top left pixel to column `left` of row `top`. It must fit in.
+void paste(const Image& from, Image& onto, int left, int top);
+
 }  // namespace ropesim

@@ -54,6 +54,41 @@ class CommandLine : public testing::Test {
     const TemporaryFolder temporary;
 };
 
+// The seed's scene on a small picture, five frames of it.
+std::string small_seed() {
+    Scene scene = parse_scene(builtin_scenes().front().toml, "seed");
+    scene.frames = 5;
+    scene.size = {96, 64};
+    return to_toml(scene);
+}
+
+TEST_F(CommandLine, CompareDrawsTheSeedsEulerAgainstItsVerlet) {
+    write("small.toml", small_seed());
+    const Outcome outcome = run({"compare", "small.toml", "-o", "one"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, StartsWith("'Euler' and 'Verlet' "));
+    EXPECT_EQ(run({"compare", "small.toml", "-o", "two", "--jobs", "2", "--quiet"}).status, 0);
+    EXPECT_EQ(contents("one"), contents("two"));
+    EXPECT_TRUE(exists("one/frame_0004.png"));
+    EXPECT_TRUE(exists("one/comparison.csv"));
+    EXPECT_TRUE(exists("one/comparison.png"));
+    EXPECT_TRUE(exists("one/comparison.svg"));
+}
+
+TEST_F(CommandLine, CompareSaysWhichIsCloserToTheTruth) {
+    const Outcome outcome = run({"compare", "seed-undamped", "--methods", "symplectic_euler,blanes_moan_6",
+                                 "-s", "16", "--layout", "strip", "--frames", "0:2", "--truth", "-o", "one"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("closest to the truth: 'blanes_moan_6', "));
+    EXPECT_TRUE(exists("one/strip.png"));
+}
+
+TEST_F(CommandLine, CompareRefusesWhatCannotBeCompared) {
+    expect_failure({"compare", "--methods", "stormer_verlet", "-o", "frames"}, 1, "needs two runs");
+    expect_failure({"compare", "--methods", "verlet,xpbd", "-o", "frames"}, 1, "unknown method 'verlet'");
+    expect_failure({"compare", "--layout", "mosaic", "-o", "frames"}, 2, "mosaic");
+}
+
 TEST_F(CommandLine, WithoutACommandRendersTheBuiltInScene) {
     const Outcome outcome = run({"--size", "96x64", "--frames", "0:4"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -4,6 +4,7 @@
 #include "clip/manifest.h"
 #include "clip/picture.h"
 #include "clip/run.h"
+#include "compare/comparison_painter.h"
 #include "diff/report.h"
 #include "image/png.h"
 
@@ -42,6 +43,10 @@ std::string compare_pixels(const GoldenCase& expected, const GoldenCase& actual)
              << " drawn in frame " << frame << ", most by " << change.largest << " of 255";
     }
     return text.str();
+}
+
+std::filesystem::path comparison_path(const std::string& layout) {
+    return golden_folder() / "comparisons" / (layout + ".png");
 }
 
 }  // namespace
@@ -104,6 +109,37 @@ std::filesystem::path leave_report(const GoldenCase& actual, const std::filesyst
     const std::filesystem::path report = folder / (actual.name + ".html");
     write_file(report, to_html(comparison, cause(comparison)));
     return report;
+}
+
+std::vector<std::string> comparison_layouts() {
+    return {"overlay", "side-by-side", "difference", "strip"};
+}
+
+Image stored_comparison(const std::string& layout) {
+    const std::filesystem::path path = comparison_path(layout);
+    return decode_png(read_file(path), path.string());
+}
+
+Image made_comparison(const std::string& layout) {
+    Scene scene = scene_of_case("seed");
+    scene.size = {480, 320};
+    const Parting parts = parting(scene);
+    const FrameList frames = {0, 60, 80, 119};
+    const Positions all = positions(simulate(scene, runs(scene)), frames);
+    if (layout == "strip") {
+        std::vector<std::vector<Points>> of_frames;
+        for (const auto& [frame, ropes] : all) of_frames.push_back(ropes);
+        return strip(scene, parts, {frames.begin(), frames.end()}, of_frames);
+    }
+    const Layout as = layout == "overlay"        ? Layout::overlay
+                      : layout == "side-by-side" ? Layout::side_by_side
+                                                 : Layout::difference;
+    constexpr long frame = 80;
+    return ComparisonPainter(scene, parts, as).draw(frame, all.at(frame));
+}
+
+void store_comparison(const std::string& layout, const Image& picture) {
+    write_file(comparison_path(layout), encode_png(picture, {}));
 }
 
 }  // namespace ropesim

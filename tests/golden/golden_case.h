@@ -48,6 +48,12 @@ GoldenVerdict compare(const GoldenCase& expected, const GoldenCase& actual);
 // from the stored one; gives the report's path.
 std::filesystem::path leave_report(const GoldenCase& actual, const std::filesystem::path& folder);
 
+// The layouts of comparisons; golden/comparisons/<layout>.png is one of the seed's ropes in each.
+std::vector<std::string> comparison_layouts();
+Image stored_comparison(const std::string& layout);
+Image made_comparison(const std::string& layout);
+void store_comparison(const std::string& layout, const Image& picture);
+
 // golden/ of the source tree.
 std::filesystem::path golden_folder();
 

@@ -1,5 +1,7 @@
 #include "golden/golden_case.h"
 
+#include "image/difference.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -16,6 +18,11 @@ std::vector<long> frames_of(const GoldenCase& golden) {
     std::vector<long> frames;
     for (const auto& [frame, picture] : golden.pictures) frames.push_back(frame);
     return frames;
+}
+
+std::string identifier(std::string name) {
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
 }
 
 class Golden : public testing::TestWithParam<std::string> {};
@@ -37,11 +44,8 @@ TEST_P(Golden, HoldsThreeToFiveFramesWithPositions) {
         EXPECT_TRUE(golden.positions.contains(frame)) << frame;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()), [](const auto& test) {
-    std::string name = test.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
+                         [](const auto& test) { return identifier(test.param); });
 
 // The same comparison, given something that is wrong, says so: these are the ways in which a golden test
 // that is too lenient lets a fault pass.
@@ -127,6 +131,19 @@ TEST_F(GoldenCanFail, SeesThatAFrameIsGone) {
     EXPECT_THAT(verdict.positions, HasSubstr("no positions"));
     EXPECT_THAT(verdict.pixels, HasSubstr("no picture"));
 }
+
+class GoldenComparison : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenComparison, IsThePictureStored) {
+    const Image expected = stored_comparison(GetParam());
+    const Image actual = made_comparison(GetParam());
+    ASSERT_EQ(expected.width, actual.width);
+    ASSERT_EQ(expected.height, actual.height);
+    EXPECT_EQ(difference(expected, actual).pixels, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, GoldenComparison, testing::ValuesIn(comparison_layouts()),
+                         [](const auto& test) { return identifier(test.param); });
 
 }  // namespace
 }  // namespace ropesim

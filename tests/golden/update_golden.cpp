@@ -1,4 +1,5 @@
-// Makes the pictures and positions of every golden case anew: the frames that it holds, or four of them.
+// Makes the pictures and positions of every golden case anew, the frames that it holds or four of them, and
+// the golden comparisons.
 
 #include "golden/golden_case.h"
 
@@ -26,6 +27,10 @@ int main() {
             const Scene scene = scene_of_case(name);
             store(made(name, scene, frames_of(name, scene)), golden_folder() / name);
             std::printf("golden/%s\n", name.c_str());
+        }
+        for (const std::string& layout : comparison_layouts()) {
+            store_comparison(layout, made_comparison(layout));
+            std::printf("golden/comparisons/%s.png\n", layout.c_str());
         }
         return 0;
     } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include "clip/pace.h"
 #include "clip/picture.h"
 #include "clip/progress.h"
+#include "image/compact_png.h"
 #include "image/frame_encoder.h"
 #include "image/png.h"
 
@@ -55,7 +56,9 @@ class FrameWriter {
         const Image& image = renderer().draw(polylines(scene_, positions));
         set_frame(texts_, frame);
         write_file(frame_path(scene_, options_, frame),
-                   encoder_.encode(image, renderer().inked(), renderer().changed(), texts_));
+                   options_.compact
+                       ? encode_compact_png(image, texts_)
+                       : encoder_.encode(image, renderer().inked(), renderer().changed(), texts_));
     }
 
     // Whether the frame is there, whole, and made by this very scene and version.

@@ -25,6 +25,7 @@ struct ClipOptions {
     Shard shard;              // of those, the ones whose number falls to this shard
     std::optional<int> jobs;  // processes; without it, as many as make the clip faster here
     Existing existing = Existing::refuse;
+    bool compact = false;  // small files rather than fast ones
     bool show_progress = false;
     std::string positions_digest;  // of the file that the positions came from, if any
 };

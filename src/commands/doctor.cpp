@@ -2,6 +2,7 @@
 #include "clip/picture.h"
 #include "clip/process.h"
 #include "commands/commands.h"
+#include "image/compact_png.h"
 #include "image/png.h"
 #include "render/lettering.h"
 #include "simulation/instruction_set.h"
@@ -30,7 +31,7 @@ std::string renderer() {
 std::string libraries() {
     return "Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
            std::to_string(EIGEN_MINOR_VERSION) + ", " + toml_library() + ", CLI11 " CLI11_VERSION ", " +
-           png_library() + ", " + lettering_library();
+           png_library() + ", " + compact_library() + ", " + lettering_library();
 }
 
 // What the loops over masses use here, of what they are compiled for; positions are the same bits by each.

@@ -28,6 +28,7 @@ struct RenderOptions {
     std::string shard = "0/1";
     bool resume = false;
     bool overwrite = false;
+    bool compact = false;
     std::string positions;
     std::string video;
     bool strict = false;
@@ -51,6 +52,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
     CLI::Option* resume =
         app.add_flag("--resume", options.resume, "keep the frames that this very scene and version made");
     app.add_flag("--overwrite", options.overwrite, "make all frames anew")->excludes(resume);
+    app.add_flag("--compact", options.compact, "make files smaller than libpng would, but slowly");
     app.add_option("--positions", options.positions,
                    "draw these positions (.csv or .npy) instead of simulating")
         ->type_name("FILE");
@@ -157,6 +159,7 @@ int render(const RenderOptions& options) {
     clip.existing = options.resume      ? Existing::resume
                     : options.overwrite ? Existing::overwrite
                                         : Existing::refuse;
+    clip.compact = options.compact;
     clip.show_progress = !options.quiet;
     if (!options.video.empty() && clip.shard.count > 1)
         throw CLI::ValidationError("--video",

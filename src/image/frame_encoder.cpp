@@ -9,23 +9,8 @@
 
 namespace ropesim {
 
-namespace {
-
-// The signature and the header chunk: 8 bits, colour type RGB, deflate, no interlacing.
-std::vector<std::uint8_t> begin_of_file(int width, int height) {
-    std::vector<std::uint8_t> header;
-    append_number(header, static_cast<std::uint32_t>(width));
-    append_number(header, static_cast<std::uint32_t>(height));
-    header.insert(header.end(), {8, 2, 0, 0, 0});
-    std::vector<std::uint8_t> file(png_signature.begin(), png_signature.end());
-    append_chunk(file, "IHDR", header);
-    return file;
-}
-
-}  // namespace
-
 FrameEncoder::FrameEncoder(int width, int height)
-    : begin_(begin_of_file(width, height)),
+    : begin_(begin_of_png(width, height)),
       tokenizer_(width),
       repeated_row_(tokenizer_.repeated_row()),
       rows_(static_cast<std::size_t>(Tiles(width, height).rows())) {

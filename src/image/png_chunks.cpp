@@ -81,6 +81,17 @@ std::vector<Chunk> png_chunks(std::span<const std::uint8_t> bytes, std::string_v
     return chunks;
 }
 
+std::vector<std::uint8_t> begin_of_png(int width, int height) {
+    constexpr std::uint8_t rgb = 2;  // the colour type
+    std::vector<std::uint8_t> header;
+    append_number(header, static_cast<std::uint32_t>(width));
+    append_number(header, static_cast<std::uint32_t>(height));
+    header.insert(header.end(), {8, rgb, 0, 0, 0});
+    std::vector<std::uint8_t> file(png_signature.begin(), png_signature.end());
+    append_chunk(file, "IHDR", header);
+    return file;
+}
+
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view type,
                   std::span<const std::uint8_t> data) {
     assert(type.size() == 4 && data.size() < 0x80000000U);

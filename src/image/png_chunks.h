@@ -23,6 +23,9 @@ struct Chunk {
 // something is not so.
 std::vector<Chunk> png_chunks(std::span<const std::uint8_t> bytes, std::string_view name);
 
+// What a picture's file begins with: the signature and the header, 8-bit RGB, not interlaced.
+std::vector<std::uint8_t> begin_of_png(int width, int height);
+
 // Appends a chunk: length, type, data, checksum.
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view type, std::span<const std::uint8_t> data);
 

@@ -80,12 +80,17 @@ void draw(cairo_t* cairo, const Scene& scene, const std::vector<Points>& ropes) 
     if (scene.words) draw_words(cairo, scene);
 }
 
-void write_by_libpng(const Image& image, const std::filesystem::path& path) {
+png_image libpng_image(const Image& image) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(image.width);
     png.height = static_cast<png_uint_32>(image.height);
     png.format = PNG_FORMAT_RGB;
+    return png;
+}
+
+void write_by_libpng(const Image& image, const std::filesystem::path& path) {
+    png_image png = libpng_image(image);
     if (png_image_write_to_file(&png, path.c_str(), 0, image.rgb.data(), 0, nullptr) == 0)
         throw std::runtime_error(png.message);
 }
@@ -121,6 +126,13 @@ MakeFrame by_libpng(const Scene& scene, const Positions& motion) {
     return [=, &scene, &motion](long frame, const std::filesystem::path& path) {
         write_by_libpng(renderer->draw(polylines(scene, motion.at(frame))), path);
     };
+}
+
+std::size_t size_by_libpng(const Image& image) {
+    png_image png = libpng_image(image);
+    png_alloc_size_t size = 0;
+    png_image_write_to_memory(&png, nullptr, &size, 0, image.rgb.data(), 0, nullptr);
+    return size;
 }
 
 MakeFrame by_cairo(const Scene& scene, const Positions& motion) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "clip/positions.h"
+#include "image/image.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -18,6 +19,8 @@ MakeFrame by_ropesim(const Scene& scene, const Positions& motion);
 
 // Our pictures, encoded anew in every frame by libpng as it is.
 MakeFrame by_libpng(const Scene& scene, const Positions& motion);
+
+std::size_t size_by_libpng(const Image& image);
 
 // As a careful user of cairo draws the same picture: one surface, round joins, then round points.
 MakeFrame by_cairo(const Scene& scene, const Positions& motion);

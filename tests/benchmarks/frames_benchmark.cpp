@@ -7,7 +7,10 @@
 #include "benchmarks/processor.h"
 #include "clip/find_scene.h"
 #include "clip/frames.h"
+#include "clip/picture.h"
 #include "clip/run.h"
+#include "image/compact_png.h"
+#include "image/png.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -172,6 +175,22 @@ void print_stages(const Case& of, const std::filesystem::path& folder, const cha
                 median.whole, median.whole / median.sum());
 }
 
+// Bytes of pixels in a file, on average over some frames.
+void print_sizes(const Case& of) {
+    constexpr long every = 20;
+    double fast = 0.0, compact = 0.0, libpng = 0.0, count = 0.0;
+    const std::unique_ptr<Renderer> renderer = make_renderer(of.scene);
+    for (long frame = 0; frame < static_cast<long>(of.motion.size()); frame += every, ++count) {
+        const Image& image = renderer->draw(polylines(of.scene, of.motion.at(frame)));
+        fast += static_cast<double>(encode_png(image, {}).size());
+        compact += static_cast<double>(encode_compact_png(image, {}).size());
+        libpng += static_cast<double>(size_by_libpng(image));
+    }
+    std::printf("%s: %.1f KB a file, %.2f x libpng's; with --compact %.1f KB, %.2f x libpng's\n",
+                of.name.c_str(), fast / count / 1000.0, fast / libpng, compact / count / 1000.0,
+                compact / libpng);
+}
+
 Scene seed() {
     return parse_scene(builtin_scenes().front().toml, "seed");
 }
@@ -221,6 +240,7 @@ void run(const std::filesystem::path& on_disk, const std::filesystem::path& in_m
     const std::vector<Case> all = cases();
     print_stages(all.front(), in_memory, "memory");
     print_stages(all.front(), on_disk, "disk");
+    print_sizes(all.front());
     for (const Case& each : all) race(each, in_memory, "memory");
     race(all.front(), on_disk, "disk");
 }

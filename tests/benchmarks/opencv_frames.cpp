@@ -1,5 +1,4 @@
 #include "benchmarks/frame_makers.h"
-#include "image/image.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>

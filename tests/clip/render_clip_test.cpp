@@ -79,6 +79,20 @@ TEST_F(RenderClip, GivesTheSameBytesByAnyNumberOfJobs) {
     }
 }
 
+TEST_F(RenderClip, GivesTheSamePicturesInCompactFiles) {
+    render(scene, into(folder, scene));
+    ClipOptions compact = into(other, scene);
+    compact.compact = true;
+    render(scene, compact);
+    for (const std::string name : {"frame_0000.png", "frame_0011.png"}) {
+        const Bytes fast = read_file(folder / name);
+        const Bytes small = read_file(other / name);
+        EXPECT_LT(small.size(), fast.size());
+        EXPECT_EQ(decode_png(small, name), decode_png(fast, name));
+        EXPECT_EQ(decode_png_texts(small, name), decode_png_texts(fast, name));
+    }
+}
+
 TEST_F(RenderClip, SaysThatAJobFailed) {
     ClipOptions two_jobs = into(folder, scene);
     two_jobs.jobs = 2;

@@ -1,5 +1,6 @@
 #include "image/png.h"
 
+#include "image/compact_png.h"
 #include "image/pictures.h"
 
 #include <gtest/gtest.h>
@@ -91,6 +92,31 @@ TEST(Png, OfAFrameIsAtMostTwiceTheSizeOfLibpngs) {
             EXPECT_LE(encode_png(image, {}).size(), 2 * size_by_libpng(image));
         }
     }
+}
+
+TEST(CompactPng, GivesBackEveryPicture) {
+    for (const int width : {1, 2, 64, 171}) {
+        for (const int height : {1, 2, 40}) {
+            for (const Image& image : {noise(width, height, 1), gradient(width, height),
+                                       stretches(width, height, 2), ropes(width, height, {9, 8, 7})}) {
+                const Bytes file = encode_compact_png(image, {});
+                EXPECT_TRUE(decode_png(file, "memory") == image) << width << "x" << height;
+                EXPECT_TRUE(read_by_libpng(file) == image) << width << "x" << height;
+            }
+        }
+    }
+}
+
+TEST(CompactPng, IsSmallerThanLibpngs) {
+    for (const Color background : {Color{0, 0, 0}, Color{20, 30, 40}}) {
+        const Image image = ropes(640, 360, background);
+        EXPECT_LT(encode_compact_png(image, {}).size(), size_by_libpng(image));
+    }
+}
+
+TEST(CompactPng, HasTheSameTexts) {
+    const Texts texts{{"title", "two ropes"}, {"scene", std::string(1000, 'x')}};
+    EXPECT_EQ(decode_png_texts(encode_compact_png(filled(2, 2, {1, 2, 3}), texts), "memory"), texts);
 }
 
 TEST(Png, IsNeverMuchLargerThanThePicture) {

@@ -139,7 +139,7 @@ void write_frames(const CompareOptions& options, const Scene& scene, const Parti
     Progress progress(static_cast<long>(frames.size()), !options.quiet);
     for_each_frame(scene, frames, simulation, [&](long frame, const std::vector<Points>& positions) {
         Interrupts::check();
-        if (!helpers.take(frame, positions)) {
+        if (!helpers.take(frame, positions, helpers.count())) {
             draw(frame, positions);
             progress.frames_done(1);
         }

@@ -68,8 +68,9 @@ int accept_all(const Comparison& comparison) {
 }
 
 int diff(const DiffOptions& options) {
-    const Comparison comparison = compare(options.expected, options.actual, options.tolerance);
+    Comparison comparison = compare(options.expected, options.actual, options.tolerance);
     const Cause why = cause(comparison);
+    excuse_chaos(why, comparison);
     if (comparison.folders) std::fputs(frame_lines(comparison).c_str(), stdout);
     for (const std::string& sentence : why.sentences) std::printf("why: %s\n", sentence.c_str());
     std::printf("%s\n", headline(comparison).c_str());

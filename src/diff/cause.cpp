@@ -1,6 +1,7 @@
 #include "diff/cause.h"
 
 #include "clip/run.h"
+#include "diff/predictable.h"
 #include "diff/shift.h"
 #include "diff/side.h"
 #include "diff/summary.h"
@@ -138,6 +139,18 @@ void add_motion(const Comparison& comparison, const Scene& scene, Cause& cause) 
                 words_text(cause));
 }
 
+void add_chaos(const Scene& scene, Cause& cause) {
+    cause.unpredictable = first_unpredictable_frame(scene);
+    if (!cause.unpredictable ||
+        cause.motion.distance.upper_bound(*cause.unpredictable - 1) == cause.motion.distance.end())
+        return;
+    add(cause, "chaos",
+        "from frame " + std::to_string(*cause.unpredictable) +
+            " on a rounding at the start has grown beyond a millionth of a pixel: that masses are elsewhere "
+            "there "
+            "says nothing, and fails nothing");
+}
+
 void add_scenes(const Comparison& comparison, Cause& cause) {
     Side expected = side(comparison, Which::expected);
     Side actual = side(comparison, Which::actual);
@@ -165,6 +178,7 @@ void add_scenes(const Comparison& comparison, Cause& cause) {
     }
     cause.motion = motion_difference(*expected.scene, *expected.positions, *actual.scene, *actual.positions);
     add_motion(comparison, *expected.scene, cause);
+    if (cause.motion.first && cause.keys.empty() && can_simulate(expected)) add_chaos(*expected.scene, cause);
 }
 
 // What the pixels alone tell.
@@ -221,6 +235,15 @@ void add_same_pixels(const Comparison& comparison, Cause& cause) {
 }
 
 }  // namespace
+
+void excuse_chaos(const Cause& cause, Comparison& comparison) {
+    if (!cause.unpredictable) return;
+    for (FrameComparison& frame : comparison.frames) {
+        const auto kind = cause.frames.find(frame.name);
+        if (frame.number >= *cause.unpredictable && kind != cause.frames.end() && kind->second == "motion")
+            frame.verdict = Verdict::chaos;
+    }
+}
 
 Cause cause(const Comparison& comparison) {
     Cause cause;

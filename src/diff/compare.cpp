@@ -210,13 +210,14 @@ bool is_folder(const std::filesystem::path& path) {
 }  // namespace
 
 std::string_view name(Verdict verdict) {
-    constexpr std::array<std::string_view, 8> names{"same-bytes", "same-pixels", "within", "different",
-                                                    "other-size", "missing",     "extra",  "unreadable"};
+    constexpr std::array<std::string_view, 9> names{"same-bytes", "same-pixels", "within",
+                                                    "chaos",      "different",   "other-size",
+                                                    "missing",    "extra",       "unreadable"};
     return names[static_cast<std::size_t>(verdict)];
 }
 
 bool passes(Verdict verdict) {
-    return verdict <= Verdict::within;
+    return verdict <= Verdict::chaos;
 }
 
 Comparison compare(const std::filesystem::path& expected, const std::filesystem::path& actual,

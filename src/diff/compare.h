@@ -20,6 +20,7 @@ enum class Verdict {
     same_bytes,   // the files are equal
     same_pixels,  // the files differ, their pictures do not
     within,       // the pictures differ within the tolerance
+    chaos,        // they differ as the masses moved, in a frame that nobody can predict
     different,    // they differ beyond it
     other_size,
     missing,  // only in EXPECTED

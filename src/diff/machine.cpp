@@ -27,7 +27,8 @@ Json difference_json(const PixelDifference& difference) {
 Json frame_json(const Comparison& comparison, const Cause& cause, const FrameComparison& frame) {
     Json json{{"name", frame.name}, {"verdict", name(frame.verdict)}, {"passes", passes(frame.verdict)}};
     if (frame.number >= 0) json["number"] = frame.number;
-    if (frame.verdict == Verdict::different || frame.verdict == Verdict::within)
+    if (frame.verdict == Verdict::different || frame.verdict == Verdict::within ||
+        frame.verdict == Verdict::chaos)
         json["difference"] = difference_json(frame.difference);
     if (const auto kind = cause.frames.find(frame.name); kind != cause.frames.end())
         json["cause"] = kind->second;

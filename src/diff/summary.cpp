@@ -48,6 +48,8 @@ std::string all_pass(const Comparison& comparison) {
         text += ", " + std::to_string(others) + " of them in other bytes with the same pixels";
     if (const long within = count(comparison, Verdict::within); within > 0)
         text += ", " + std::to_string(within) + " of them only within the tolerance";
+    if (const long chaos = count(comparison, Verdict::chaos); chaos > 0)
+        text += ", but for " + std::to_string(chaos) + " that nobody can predict";
     return text;
 }
 
@@ -112,6 +114,8 @@ std::string finding(const Comparison& comparison, const FrameComparison& frame) 
             return "within the tolerance: " +
                    counted(static_cast<std::size_t>(frame.difference.changed), "pixel") +
                    " changed, most by " + std::to_string(frame.difference.largest) + " of 255";
+        case Verdict::chaos:
+            return "unpredictable: " + differing_pixels(frame.difference, comparison.tolerance);
         case Verdict::different:
             return "differs: " + differing_pixels(frame.difference, comparison.tolerance);
         case Verdict::other_size:

@@ -6,10 +6,12 @@
 #include "clip/picture.h"
 #include "clip/run.h"
 #include "diff/folders.h"
+#include "diff/predictable.h"
 #include "image/png.h"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ropesim {
@@ -181,6 +183,35 @@ TEST_F(Causes, SayThatAManifestCannotBeRead) {
     put("actual", 0, filled(8, 8, {9, 9, 9}));
     put_bytes("expected", "clip.json", "{\"scene\": 3");
     EXPECT_THAT(found().sentences, Contains(HasSubstr("clip.json: holds no scene")));
+}
+
+// Nearly dependent constraints are chaotic: what is a millionth of a pixel off there is pixels off later.
+TEST_F(Causes, AreChaosWhereNobodyCanPredictTheMotion) {
+    Scene scene = parse_scene(
+        std::ranges::find(builtin_scenes(), "nearly-dependent", &BuiltinScene::name)->toml, "scene");
+    scene.size = {120, 80};
+    const long limit = *first_unpredictable_frame(scene);
+    EXPECT_GT(limit, 20);
+    ASSERT_LT(limit, scene.frames - 1);
+    const Positions truth = simulated(scene);
+    for (const bool early : {false, true}) {
+        Positions expected{{limit - 1, truth.at(limit - 1)}, {limit + 1, truth.at(limit + 1)}};
+        Positions actual = expected;
+        actual.at(limit + 1)[0].row(5) += 2.0;
+        if (early) actual.at(limit - 1)[0].row(5) += 2.0;
+        for (const char* folder : {"expected", "actual"}) {
+            const Positions& positions = folder[0] == 'e' ? expected : actual;
+            render(folder, scene, positions);
+            write_file(temporary.path() / folder / "positions.csv", to_csv(scene, positions));
+        }
+        Comparison comparison = compared();
+        const Cause why = cause(comparison);
+        EXPECT_THAT(why.kinds, Contains("chaos"));
+        EXPECT_EQ(why.unpredictable, limit);
+        excuse_chaos(why, comparison);
+        EXPECT_EQ(status(comparison), early ? 3 : 0);
+        EXPECT_EQ(comparison.frames.back().verdict, Verdict::chaos);
+    }
 }
 
 TEST_F(Causes, NameRopesOfOtherNodes) {

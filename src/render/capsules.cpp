@@ -64,6 +64,13 @@ void add_tiles(const Capsule& capsule, Tiles& tiles) {
     }
 }
 
+// Up to which length, in pixels, a link lies within the mass that it begins at: there, its coverage is
+// nowhere the greater one, and it need not be drawn.
+double hidden_length(const Polyline& polyline) {
+    constexpr double rounding = 1.0 / 16.0;  // more than coordinates in the shader are rounded by
+    return 0.5 * (polyline.point_size - polyline.line_width) - rounding;
+}
+
 }  // namespace
 
 void append_capsules(const Polyline& polyline, std::size_t channel, const Camera& camera, int width,
@@ -79,10 +86,13 @@ void append_capsules(const Polyline& polyline, std::size_t channel, const Camera
         add_tiles(capsule, covered);
     };
     const Eigen::Index points = finite_points(polyline.points);
+    const double hidden = hidden_length(polyline) * camera.height / height;
     for (Eigen::Index i = 0; i < points; ++i) {
         const Eigen::Array2d point = polyline.points.row(i);
         append({point, point}, 0.5 * polyline.point_size);
-        if (i + 1 < points) append({point, polyline.points.row(i + 1)}, 0.5 * polyline.line_width);
+        if (i + 1 == points) break;
+        const Eigen::Array2d next = polyline.points.row(i + 1);
+        if ((next - point).matrix().norm() > hidden) append({point, next}, 0.5 * polyline.line_width);
     }
 }
 

@@ -89,6 +89,17 @@ TEST(Coverage, OfAHairline) {
 TEST(Coverage, OfAPoint) {
     expect_coverage(line({{2.3, -4.8}}, 4.0, 9.0));
 }
+// Links shorter than masses are wide, some of which need not be drawn.
+TEST(Coverage, OfMassesCloseTogether) {
+    for (const double apart : {0.1, 0.9, 1.0, 1.1, 2.0, 3.0}) {
+        Polyline chain = line({}, 4.0, 6.0);
+        chain.points.resize(20, 2);
+        for (int i = 0; i < 20; ++i) chain.points.row(i) << 0.7 * apart * i - 12.0, 5.0 - 0.6 * apart * i;
+        expect_coverage(chain);
+        chain.point_size = 4.0;
+        expect_coverage(chain);
+    }
+}
 TEST(Coverage, OfACoveredPicture) {
     expect_coverage(line({{2.3, -4.8}}, 4.0, 300.0));
 }

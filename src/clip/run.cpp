@@ -22,12 +22,13 @@ std::string remedy(const Scene& scene, const Run& run) {
                   : "without damping no step is stable";
 }
 
-// How far the steps are from what is stable, where one number tells: " (h*omega = 2.5, limit 2)".
+// How far the steps are from what is stable, where the undamped limit tells: " (h*omega = 2.5, limit 2)".
 std::string excess(const Run& run) {
-    if (run.method->stability_limit == 0.0) return "";
+    const double h_omega = run.stepping.step_size * greatest_frequency(run.rope);
+    if (run.method->stability_limit == 0.0 || h_omega < run.method->stability_limit) return "";
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), " (h*omega = %.3g, limit %.4g)",
-                  run.stepping.step_size * greatest_frequency(run.rope), run.method->stability_limit);
+    std::snprintf(text.data(), text.size(), " (h*omega = %.3g, limit %.4g)", h_omega,
+                  run.method->stability_limit);
     return text.data();
 }
 

@@ -38,6 +38,20 @@ TEST(StabilityWarnings, SayThatNoStepOfExplicitEulerIsStable) {
                                       "without damping no step is stable")));
 }
 
+// Damped by 30 a unit of time, the limit is h omega < sqrt(2 (1 + exp(-3))) = 1.45 at 10 steps, where it
+// is 1.99: the undamped one says nothing.
+TEST(StabilityWarnings, NameNoLimitThatDampingMoves) {
+    Scene scene = seed_with(10, "symplectic_euler");
+    scene.ropes[0].damping = 30.0;
+    EXPECT_THAT(warnings(scene), ElementsAre(HasSubstr("is unstable at 10 steps per frame: 14 or more are")));
+}
+
+TEST(StabilityWarnings, SayWhatDampingMakesStable) {
+    Scene scene = seed_with(64, "explicit_euler");
+    scene.ropes[0].damping_factor = 0.01;  // h omega < 0.1
+    EXPECT_THAT(warnings(scene), ElementsAre(HasSubstr("64 steps per frame: 199 or more are stable")));
+}
+
 TEST(StabilityWarnings, AreSilentWhereLinksKeepTheirLength) {
     EXPECT_THAT(warnings(seed_with(1, "constraint_projection")), IsEmpty());
 }

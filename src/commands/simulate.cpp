@@ -39,7 +39,7 @@ void add_options(CLI::App& app, SimulateOptions& options) {
                    "CSV of energies, largest stretch and tension, and length, per frame and rope")
         ->type_name("FILE");
     app.add_option("--truth", options.truth,
-                   "positions of what the scene's ropes truly do, and how far from it these are")
+                   "positions of what the scene's ropes truly do; prints how far from it these are")
         ->type_name("FILE");
     add_error_option(app, options.scene);
     app.add_flag("--strict", options.strict, "exit with status 1 where a rope diverges");
@@ -67,8 +67,9 @@ void check_file(const char* option, const std::string& file) {
 }
 
 // Writes the true positions, as far as they can be believed, and prints how far the simulated ones are from
-// them.
-void compare_with_truth(const std::string& file, const Scene& scene, const FrameList& frames) {
+// them, up to the last frame that is asked for.
+void compare_with_truth(const std::string& file, Scene scene, const FrameList& frames) {
+    scene.frames = static_cast<int>(frames.back()) + 1;
     const std::vector<Trajectory> trajectories = simulate(scene, runs(scene));
     std::vector<Trajectory> truths;
     for (std::size_t i = 0; i < scene.ropes.size(); ++i) {

@@ -87,12 +87,19 @@ std::string with_frame_errors(std::string text, const Simulation& simulation) {
     return text;
 }
 
+nlohmann::ordered_json energy_json(const Energy& energy) {
+    return {{"kinetic", energy.kinetic}, {"spring", energy.spring}, {"gravity", energy.gravity}};
+}
+
 void add_motion(const Scene& scene, const Simulation& simulation, std::size_t i,
                 nlohmann::ordered_json& rope) {
     const Summary& summary = simulation.summaries()[i];
     rope["largest_stretch"] = summary.largest_stretch;
     rope["largest_tension"] = summary.largest_tension;
-    rope["energy_drift"] = summary.energy_drift;
+    if (summary.first_energy)
+        rope["energy"] = {{"first", energy_json(*summary.first_energy)},
+                          {"last", energy_json(summary.last_energy)}};
+    rope["energy_drift"] = summary.energy_drift();
     if (const RopeError* error = simulation.error(i))
         rope["error"] = error_json(*error);
     else if (!simulation.why_no_errors().empty())

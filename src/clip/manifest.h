@@ -25,7 +25,8 @@ std::string frame_of(const Texts& texts);
 std::string positions_digest_of(const Texts& texts);
 
 // clip.json: the scene as rendered, versions, the renderer, and per rope the method, its steps, and, unless
-// positions were given, where it diverged and why, its largest stretch and energy drift.
+// positions were given, where it diverged and why, its largest stretch and tension, and its energy in the
+// first frame and the last.
 std::string clip_json(const Scene& scene, const Simulation& simulation, const std::string& positions_digest,
                       const FrameList& frames, const std::string& renderer);
 

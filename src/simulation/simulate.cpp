@@ -45,10 +45,10 @@ Diagnostics MovingRope::diagnostics() const {
 
 void Summary::add(const Diagnostics& frame) {
     const bool first = !first_energy;
-    if (first) first_energy = frame.energy.total();
+    if (first) first_energy = frame.energy;
     largest_stretch = first ? frame.largest_stretch : std::max(largest_stretch, frame.largest_stretch);
     largest_tension = first ? frame.largest_tension : std::max(largest_tension, frame.largest_tension);
-    energy_drift = frame.energy.total() - *first_energy;
+    last_energy = frame.energy;
 }
 
 double sensible_length(const Rope& rope, double time) {

@@ -50,8 +50,11 @@ class MovingRope {
 struct Summary {
     double largest_stretch = 0.0;        // in any frame
     double largest_tension = 0.0;        // in any frame
-    std::optional<double> first_energy;  // total energy of the first frame; none where there is no frame
-    double energy_drift = 0.0;           // total energy of the last frame less that of the first
+    std::optional<Energy> first_energy;  // of the first frame; none where there is no frame
+    Energy last_energy;                  // of the last one
+
+    // Total energy of the last frame less that of the first.
+    double energy_drift() const { return first_energy ? last_energy.total() - first_energy->total() : 0.0; }
 
     void add(const Diagnostics& frame);
 };

@@ -65,6 +65,13 @@ TEST_F(RenderClip, MakesEveryFrameAndTheManifest) {
     const auto manifest = nlohmann::json::parse(json.begin(), json.end());
     EXPECT_EQ(manifest["frames"], "0:11");
     EXPECT_EQ(manifest["ropes"][1]["method"], "seed_verlet");
+    const nlohmann::json& energy = manifest["ropes"][0]["energy"];
+    EXPECT_EQ(energy["first"]["kinetic"], 0.0);
+    EXPECT_GT(energy["last"]["kinetic"], 0.0);
+    double drift = 0.0;
+    for (const char* kind : {"kinetic", "spring", "gravity"})
+        drift += energy["last"][kind].get<double>() - energy["first"][kind].get<double>();
+    EXPECT_NEAR(manifest["ropes"][0]["energy_drift"].get<double>(), drift, 1e-9);
     EXPECT_EQ(parse_scene(manifest["scene"].get<std::string>(), "manifest"), scene);
 }
 

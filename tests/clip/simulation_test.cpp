@@ -41,7 +41,7 @@ TEST(Simulation, GoesTheWayOfTheTrajectories) {
             EXPECT_EQ(simulation.diverged(i), trajectories[i].diverged) << each.name;
             EXPECT_EQ(simulation.summaries()[i].largest_stretch, trajectories[i].summary.largest_stretch);
             EXPECT_EQ(simulation.summaries()[i].largest_tension, trajectories[i].summary.largest_tension);
-            EXPECT_EQ(simulation.summaries()[i].energy_drift, trajectories[i].summary.energy_drift);
+            EXPECT_EQ(simulation.summaries()[i].energy_drift(), trajectories[i].summary.energy_drift());
         }
     }
 }

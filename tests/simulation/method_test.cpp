@@ -217,7 +217,7 @@ TEST(ExplicitEuler, GainsEnergyAtEveryStep) {
     const Rope rope = seed_rope(4);
     const Method& method = find_method("explicit_euler");
     for (const long steps : {256, 1024, 4096})
-        EXPECT_GT(simulate(rope, method, stepping(1.0, steps), 20).summary.energy_drift, 0.0) << steps;
+        EXPECT_GT(simulate(rope, method, stepping(1.0, steps), 20).summary.energy_drift(), 0.0) << steps;
 }
 
 TEST(ExplicitEuler, IsStableWhenDampedEnough) {

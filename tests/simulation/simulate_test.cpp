@@ -31,7 +31,7 @@ TEST(Simulate, EndsWhereTheRopeDivergesAndKeepsNothingNonFinite) {
         ASSERT_TRUE(trajectory.diverged) << steps;
         EXPECT_EQ(trajectory.frames.size(), static_cast<std::size_t>(*trajectory.diverged));
         for (const Points& points : trajectory.frames) EXPECT_TRUE(points.isFinite().all());
-        EXPECT_TRUE(std::isfinite(trajectory.summary.energy_drift) &&
+        EXPECT_TRUE(std::isfinite(trajectory.summary.energy_drift()) &&
                     std::isfinite(trajectory.summary.largest_stretch));
     }
 }

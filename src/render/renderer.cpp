@@ -9,6 +9,7 @@
 #include "render/words_painter.h"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 
 namespace ropesim {
@@ -55,25 +56,25 @@ void mix_box(std::span<const Color> colors, const std::uint8_t* coverage, const 
     }
 }
 
-void fill(Color color, const PixelBox& box, Image& image) {
-    for (int y = box.top; y < box.bottom; ++y) {
-        std::uint8_t* rgb = pixels_from(image, box.left, y);
-        for (int x = box.left; x < box.right; ++x, rgb += 3) std::copy(color.begin(), color.end(), rgb);
-    }
+// Puts a row of pixels into every row of a box.
+void fill(const std::vector<std::uint8_t>& row, const PixelBox& box, Image& image) {
+    const auto bytes = 3 * static_cast<std::size_t>(box.right - box.left);
+    for (int y = box.top; y < box.bottom; ++y)
+        std::memcpy(pixels_from(image, box.left, y), row.data(), bytes);
 }
 
 }  // namespace
 
 struct Renderer::Parts {
-    Parts(int width, int height, const Camera& seen, Color of_background, std::span<const Words> words)
+    Parts(int width, int height, const Camera& seen, Color background, std::span<const Words> words)
         : camera(seen),
-          background(of_background),
           context(make_context()),
           gl(load_gl(*context)),
           framebuffer(gl, width, height),
           rope_painter(gl, width, height),
           words_painter(width, height, words),
           image(filled(width, height, background)),
+          empty_row(image.rgb.begin(), image.rgb.begin() + 3 * width),
           ropes(words_painter.covered()),  // so that the first picture changes them
           inked(width, height),
           changed(width, height) {}
@@ -82,16 +83,16 @@ struct Renderer::Parts {
     void draw(const Group& group);
 
     Camera camera;
-    Color background;
     std::unique_ptr<OffscreenContext> context;
     Gl gl;
     Framebuffer framebuffer;
     RopePainter rope_painter;
     WordsPainter words_painter;
     Image image;
-    Tiles ropes;    // that ropes may cover
-    Tiles inked;    // that ropes or words may cover
-    Tiles changed;  // that may differ from the picture before
+    std::vector<std::uint8_t> empty_row;  // of the image: background
+    Tiles ropes;                          // that ropes may cover
+    Tiles inked;                          // that ropes or words may cover
+    Tiles changed;                        // that may differ from the picture before
 };
 
 std::vector<Group> Renderer::Parts::grouped(std::span<const Polyline> polylines) const {
@@ -132,7 +133,7 @@ const Image& Renderer::draw(std::span<const Polyline> polylines) {
     parts.inked.add(parts.words_painter.covered());
 
     const std::vector<PixelBox> boxes = parts.changed.runs();
-    for (const PixelBox& box : boxes) fill(parts.background, box, parts.image);
+    for (const PixelBox& box : boxes) fill(parts.empty_row, box, parts.image);
     parts.context->make_current();
     for (const Group& group : groups) parts.draw(group);
     if (const GLenum error = parts.gl.GetError(); error != GL_NO_ERROR) {

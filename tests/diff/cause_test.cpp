@@ -187,8 +187,9 @@ TEST_F(Causes, SayThatAManifestCannotBeRead) {
 
 // Nearly dependent constraints are chaotic: what is a millionth of a pixel off there is pixels off later.
 TEST_F(Causes, AreChaosWhereNobodyCanPredictTheMotion) {
-    Scene scene = parse_scene(
-        std::ranges::find(builtin_scenes(), "nearly-dependent", &BuiltinScene::name)->toml, "scene");
+    const std::vector<BuiltinScene> scenes = builtin_scenes();
+    Scene scene =
+        parse_scene(std::ranges::find(scenes, "nearly-dependent", &BuiltinScene::name)->toml, "scene");
     scene.size = {120, 80};
     const long limit = *first_unpredictable_frame(scene);
     EXPECT_GT(limit, 20);

@@ -28,7 +28,7 @@ using testing::Not;
 constexpr const char* falling = R"(
 [clip]
 frames = 6
-steps_per_frame = 4
+steps_per_frame = 16
 size = [120, 80]
 words = false
 view = { center = [0.0, 0.0], height = 40.0 }

@@ -20,7 +20,7 @@ file(MAKE_DIRECTORY ${folder})
 must_pass(${CMAKE_COMMAND} --install ${build} --prefix ${folder}/installed)
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/CMakeLists.txt ${CMAKE_CURRENT_LIST_DIR}/swing.toml
     ${CMAKE_CURRENT_LIST_DIR}/golden DESTINATION ${folder}/swing)
-must_pass(${CMAKE_COMMAND} -S ${folder}/swing -B ${folder}/build -D CMAKE_PREFIX_PATH=${folder}/installed)
+must_pass(${CMAKE_COMMAND} -G ${generator} -S ${folder}/swing -B ${folder}/build -D CMAKE_PREFIX_PATH=${folder}/installed)
 must_pass(ctest --test-dir ${folder}/build --output-on-failure)
 
 file(RENAME ${folder}/swing/golden/swing/frame_0020.png ${folder}/swing/golden/swing/frame_0021.png)

@@ -20,7 +20,7 @@ auto column(Double* field, Eigen::Index r, Eigen::Index masses, Eigen::Index rop
 void Bundle::resize(Eigen::Index masses, Eigen::Index ropes, int field_count) {
     constexpr Eigen::Index line = 8;
     constexpr Eigen::Index page = 64;
-    const Eigen::Index needed = (masses * ropes + line - 1) / line + 2;
+    const Eigen::Index needed = (masses * ropes + line - 1) / line + 3;
     const Eigen::Index lines = (needed - 4 + page - 1) / page * page + 4;
     masses_ = masses;
     ropes_ = ropes;

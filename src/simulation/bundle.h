@@ -8,8 +8,8 @@
 namespace ropesim {
 
 // Ropes of equally many masses side by side, laid out for vectors: element i * ropes + r of a field is of
-// mass i of rope r. One rope is a bundle of one. The fields are so far apart that whole vectors may reach two
-// vectors beyond their end.
+// mass i of rope r. One rope is a bundle of one. The fields are so far apart that whole vectors may reach
+// three vectors beyond their end.
 class Bundle {
   public:
     // Inverse masses and the acceleration of gravity, both 0 at pins; place; velocity. A method may have

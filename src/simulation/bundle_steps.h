@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 // The loops over the masses of a bundle that the explicit methods go through: the acceleration of each mass,
 // and what a method does with it. To be called from `in_lanes`.
@@ -43,6 +44,7 @@ VectorLanes<width> shifted_down(const VectorLanes<width>& lanes, const VectorLan
 template <int width>
 struct LinkLanes {
     VectorLanes<width> d;
+    Lanes<width> squared{};
     Lanes<width> length{};
 };
 
@@ -51,7 +53,7 @@ LinkLanes<width> link_lanes(const VectorLanes<width>& from, const VectorLanes<wi
     const Lanes<width> dx = to.x - from.x;
     const Lanes<width> dy = to.y - from.y;
     const Lanes<width> squared = dx * dx + dy * dy;
-    return {{dx, dy}, square_root(squared < shortest_squared ? Lanes<width>{} + shortest_squared : squared)};
+    return {{dx, dy}, squared, square_root(squared)};
 }
 
 // Of the springs of a bundle, in each lane.
@@ -59,20 +61,28 @@ template <int width>
 struct SpringLanes {
     Lanes<width> stiffness;
     Lanes<width> rest_length;
+    Lanes<width> shortest_pull;  // of a link that has no length
 
     explicit SpringLanes(const Bundle& bundle)
         : stiffness(bundle.ropes() == 1 ? Lanes<width>{} + bundle.stiffness[0]
                                         : load<width>(bundle.stiffness.data())),
           rest_length(bundle.ropes() == 1 ? Lanes<width>{} + bundle.rest_length[0]
-                                          : load<width>(bundle.rest_length.data())) {}
+                                          : load<width>(bundle.rest_length.data())),
+          shortest_pull(stiffness * (1.0 - rest_length / std::sqrt(shortest_squared))) {}
 };
 
-// Hooke's law, force of a link on the mass that it starts from: k (1 - l/|d|) d; zero from lane `count` on.
+// Hooke's law, the pull of a link for each unit of its length: k (1 - l/|d|). Which of them have no length is
+// known before the square root is; that is asked last, so that nothing waits for it.
 template <int width>
-VectorLanes<width> force_lanes(const SpringLanes<width>& spring, const LinkLanes<width>& link,
-                               Eigen::Index count) {
+Lanes<width> pull_lanes(const SpringLanes<width>& spring, const LinkLanes<width>& link) {
     const Lanes<width> pull = spring.stiffness * (1.0 - spring.rest_length / link.length);
-    const VectorLanes<width> force{pull * link.d.x, pull * link.d.y};
+    return link.squared < shortest_squared ? spring.shortest_pull : pull;
+}
+
+// Force of a link on the mass that it starts from; zero from lane `count` on.
+template <int width>
+VectorLanes<width> force_lanes(const Lanes<width>& pull, const VectorLanes<width>& d, Eigen::Index count) {
+    const VectorLanes<width> force{pull * d.x, pull * d.y};
     if (count >= width) return force;
     const auto exists = numbers<width>() < static_cast<double>(count);
     return {exists ? force.x : Lanes<width>{}, exists ? force.y : Lanes<width>{}};
@@ -90,8 +100,9 @@ VectorLanes<width> acceleration_lanes(const Lanes<width>& weight, const VectorLa
 using ForcesBefore = std::array<double, 2 * Bundle::most_ropes>;
 
 // Calls move(i, a) with the accelerations of the masses from element i, for every vector from `begin` to
-// `end`, multiples of the width. `move` may move them: the links after them have been measured by then, so
-// that their square roots are under way during the divisions for these.
+// `end`, multiples of the width. `move` may move them: the links after them have been measured by then. While
+// a vector moves, the division for the next and the square root for the one after that are under way; one
+// after the other, they take longer than a processor sees ahead.
 template <int width, bool side_by_side, class Move>
 void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Index end, ForcesBefore& before,
                 const Move& move) {
@@ -109,14 +120,19 @@ void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Inde
     VectorLanes<width> last;
     if (begin > 0) last = load<width>(before.data(), before.data() + width);
     LinkLanes<width> link = link_from(begin);
+    Lanes<width> pull = pull_lanes(spring, link);
+    LinkLanes<width> link_after = link_from(begin + width);
     for (Eigen::Index i = begin; i < end; i += width) {
-        const LinkLanes<width> link_after = link_from(i + width);
-        const VectorLanes<width> force = force_lanes(spring, link, links - i);
+        const LinkLanes<width> second_link_after = link_from(i + 2 * width);
+        const Lanes<width> pull_after = pull_lanes(spring, link_after);
+        const VectorLanes<width> force = force_lanes<width>(pull, link.d, links - i);
         const VectorLanes<width> force_before = side_by_side ? last : shifted_up(last, force);
         move(i, acceleration_lanes<width>(load<width>(weight + i), force, force_before,
                                           load<width>(fall_x + i, fall_y + i)));
         last = force;
         link = link_after;
+        pull = pull_after;
+        link_after = second_link_after;
     }
     store(before.data(), before.data() + width, last);
 }

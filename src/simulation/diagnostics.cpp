@@ -10,10 +10,17 @@
 namespace ropesim {
 namespace {
 
-Eigen::ArrayXd link_lengths(const Points& position) {
+// An expression, not an array; `position` must outlive it.
+auto squared_link_lengths(const Points& position) {
     const Eigen::Index links = position.rows() - 1;
-    const auto d = position.bottomRows(links) - position.topRows(links);
-    return (d.col(0).square() + d.col(1).square()).sqrt();
+    const auto square = [&](Eigen::Index axis) {
+        return (position.col(axis).tail(links) - position.col(axis).head(links)).square();
+    };
+    return square(0) + square(1);
+}
+
+Eigen::ArrayXd link_lengths(const Points& position) {
+    return squared_link_lengths(position).sqrt();
 }
 
 double sum(const Eigen::ArrayXd& lengths) {
@@ -62,7 +69,7 @@ double greatest_distance(const Points& expected, const Points& actual) {
 }
 
 double longest_link(const Points& position) {
-    return link_lengths(position).maxCoeff();
+    return std::sqrt(squared_link_lengths(position).maxCoeff());
 }
 
 bool is_rest_length(double rest_length, double length) {

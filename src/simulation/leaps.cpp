@@ -95,61 +95,89 @@ void drift(const Leap& leap, L& x, L& v, L& x_lost) {
     if (sums == Sums::damped) v = leap.kept * v;
 }
 
+// Some masses, and what rounding has taken from them.
+template <int width>
+struct Moving {
+    VectorLanes<width> x;
+    VectorLanes<width> v;
+    Lost<width> lost;
+};
+
 template <Sums sums, int width>
-void move(const Leap& leap, const VectorLanes<width>& a, VectorLanes<width>& x, VectorLanes<width>& v,
-          Lost<width>& lost) {
-    if (leap.kick != 0.0) {
-        kick<sums>(leap, a.x, v.x, lost.v.x);
-        kick<sums>(leap, a.y, v.y, lost.v.y);
-    }
-    if (leap.drift != 0.0) {
-        drift<sums>(leap, x.x, v.x, lost.x.x);
-        drift<sums>(leap, x.y, v.y, lost.x.y);
-    }
+void kick(const Leap& leap, const VectorLanes<width>& a, Moving<width>& masses) {
+    kick<sums>(leap, a.x, masses.v.x, masses.lost.v.x);
+    kick<sums>(leap, a.y, masses.v.y, masses.lost.v.y);
 }
 
 template <Sums sums, int width>
-void move(const Stage& stage, const VectorLanes<width>& a, VectorLanes<width>& x, VectorLanes<width>& v,
-          Lost<width>& lost) {
-    move<sums>(stage.first, a, x, v, lost);
-    move<sums>(stage.second, a, x, v, lost);
+void drift(const Leap& leap, Moving<width>& masses) {
+    drift<sums>(leap, masses.x.x, masses.v.x, masses.lost.x.x);
+    drift<sums>(leap, masses.x.y, masses.v.y, masses.lost.x.y);
+}
+
+template <Sums sums, int width>
+void move(const Leap& leap, const VectorLanes<width>& a, Moving<width>& masses) {
+    if (leap.kick != 0.0) kick<sums>(leap, a, masses);
+    if (leap.drift != 0.0) drift<sums>(leap, masses);
+}
+
+// Whether a loop kicks and drifts, once: most do, and then nothing need be asked for every mass.
+bool moves_once(const Stage& stage) {
+    return stage.first.kick != 0.0 && stage.first.drift != 0.0 && !moves(stage.second);
+}
+
+template <Sums sums, bool once, int width>
+void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses) {
+    if constexpr (once) {
+        kick<sums>(stage.first, a, masses);
+        drift<sums>(stage.first, masses);
+    } else {
+        move<sums>(stage.first, a, masses);
+        move<sums>(stage.second, a, masses);
+    }
 }
 
 // Fields of a bundle that compensated sums need behind the others: what is lost of x, y, vx and vy.
 constexpr int lost_fields = 4;
 
-template <int width, bool side_by_side, Sums sums>
-void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
+// A loop over a part of the masses.
+template <int width, bool side_by_side, Sums sums, bool once>
+void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
     double* const x = bundle[Bundle::x];
     double* const y = bundle[Bundle::y];
     double* const vx = bundle[Bundle::vx];
     double* const vy = bundle[Bundle::vy];
-    std::array<double*, lost_fields> lost_field{};
+    std::array<double*, lost_fields> lost{};
     if constexpr (sums == Sums::compensated)
-        for (std::size_t i = 0; i < lost_fields; ++i)
-            lost_field[i] = bundle[Bundle::fields + static_cast<int>(i)];
-    in_blocks<width>(
-        bundle, stages(leaps), [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-            const auto leap_at = [=, now = stage(leaps, j)](Eigen::Index i, const VectorLanes<width>& a) {
-                VectorLanes<width> position = load<width>(x + i, y + i);
-                VectorLanes<width> velocity = load<width>(vx + i, vy + i);
-                Lost<width> lost;
-                if constexpr (sums == Sums::compensated)
-                    lost = {load<width>(lost_field[0] + i, lost_field[1] + i),
-                            load<width>(lost_field[2] + i, lost_field[3] + i)};
-                move<sums>(now, a, position, velocity, lost);
-                store(x + i, y + i, position);
-                store(vx + i, vy + i, velocity);
-                if constexpr (sums == Sums::compensated) {
-                    store(lost_field[0] + i, lost_field[1] + i, lost.x);
-                    store(lost_field[2] + i, lost_field[3] + i, lost.v);
-                }
-            };
-            if (stage(leaps, j).first.kick != 0.0)
-                accelerate<width, side_by_side>(bundle, Bundle::x, begin, end, before, leap_at);
-            else
-                for (Eigen::Index i = begin; i < end; i += width) leap_at(i, {});
-        });
+        for (std::size_t i = 0; i < lost_fields; ++i) lost[i] = bundle[Bundle::fields + static_cast<int>(i)];
+    const auto leap_at = [=, &stage](Eigen::Index i, const VectorLanes<width>& a) {
+        Moving<width> masses{load<width>(x + i, y + i), load<width>(vx + i, vy + i), {}};
+        if constexpr (sums == Sums::compensated)
+            masses.lost = {load<width>(lost[0] + i, lost[1] + i), load<width>(lost[2] + i, lost[3] + i)};
+        move<sums, once>(stage, a, masses);
+        store(x + i, y + i, masses.x);
+        store(vx + i, vy + i, masses.v);
+        if constexpr (sums == Sums::compensated) {
+            store(lost[0] + i, lost[1] + i, masses.lost.x);
+            store(lost[2] + i, lost[3] + i, masses.lost.v);
+        }
+    };
+    if (once || stage.first.kick != 0.0)
+        accelerate<width, side_by_side>(bundle, Bundle::x, begin, end, before, leap_at);
+    else
+        for (Eigen::Index i = begin; i < end; i += width) leap_at(i, {});
+}
+
+template <int width, bool side_by_side, Sums sums>
+void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
+    in_blocks<width>(bundle, stages(leaps),
+                     [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
+                         const Stage now = stage(leaps, j);
+                         if (moves_once(now))
+                             pass<width, side_by_side, sums, true>(now, bundle, begin, end, before);
+                         else
+                             pass<width, side_by_side, sums, false>(now, bundle, begin, end, before);
+                     });
 }
 
 // A rope of that many vectors stays in registers through all leaps.
@@ -158,30 +186,32 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
     const SpringLanes<width> spring(bundle);
     const auto links = static_cast<std::size_t>(bundle.masses() - 1);
     std::array<Lanes<width>, vectors> weight;
-    std::array<VectorLanes<width>, vectors> fall, v;
-    std::array<VectorLanes<width>, vectors + 1> x, force_before;
-    std::array<Lost<width>, vectors> lost;
+    std::array<VectorLanes<width>, vectors> fall;
+    std::array<VectorLanes<width>, vectors + 1> force_before;
+    std::array<Moving<width>, vectors + 1> masses;
     for (std::size_t i = 0; i < vectors; ++i) {
         weight[i] = load<width>(bundle[Bundle::weight] + i * width);
         fall[i] = load<width>(bundle[Bundle::fall_x] + i * width, bundle[Bundle::fall_y] + i * width);
-        x[i] = load<width>(bundle[Bundle::x] + i * width, bundle[Bundle::y] + i * width);
-        v[i] = load<width>(bundle[Bundle::vx] + i * width, bundle[Bundle::vy] + i * width);
+        masses[i].x = load<width>(bundle[Bundle::x] + i * width, bundle[Bundle::y] + i * width);
+        masses[i].v = load<width>(bundle[Bundle::vx] + i * width, bundle[Bundle::vy] + i * width);
     }
     for (long j = 0; j < stages(leaps); ++j) {
         const Stage now = stage(leaps, j);
-        for (std::size_t i = 0; i < vectors; ++i)
-            force_before[i + 1] = force_lanes(spring, link_lanes(x[i], shifted_down(x[i], x[i + 1])),
-                                              static_cast<Eigen::Index>(links - i * width));
+        for (std::size_t i = 0; i < vectors; ++i) {
+            const LinkLanes<width> link = link_lanes(masses[i].x, shifted_down(masses[i].x, masses[i + 1].x));
+            force_before[i + 1] = force_lanes<width>(pull_lanes(spring, link), link.d,
+                                                     static_cast<Eigen::Index>(links - i * width));
+        }
         for (std::size_t i = 0; i < vectors; ++i) {
             const VectorLanes<width>& force = force_before[i + 1];
-            move<sums>(
+            move<sums, false>(
                 now, acceleration_lanes<width>(weight[i], force, shifted_up(force_before[i], force), fall[i]),
-                x[i], v[i], lost[i]);
+                masses[i]);
         }
     }
     for (std::size_t i = 0; i < vectors; ++i) {
-        store(bundle[Bundle::x] + i * width, bundle[Bundle::y] + i * width, x[i]);
-        store(bundle[Bundle::vx] + i * width, bundle[Bundle::vy] + i * width, v[i]);
+        store(bundle[Bundle::x] + i * width, bundle[Bundle::y] + i * width, masses[i].x);
+        store(bundle[Bundle::vx] + i * width, bundle[Bundle::vy] + i * width, masses[i].v);
     }
 }
 

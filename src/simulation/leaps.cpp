@@ -121,19 +121,26 @@ void move(const Leap& leap, const VectorLanes<width>& a, Moving<width>& masses) 
     if (leap.drift != 0.0) drift<sums>(leap, masses);
 }
 
-// Whether a loop kicks and drifts, once: most do, and then nothing need be asked for every mass.
-bool moves_once(const Stage& stage) {
-    return stage.first.kick != 0.0 && stage.first.drift != 0.0 && !moves(stage.second);
+// What a loop does: where it is known, nothing need be asked for every mass.
+enum class Moves { kick_drift, kick_kick_drift, any };
+
+Moves moves_of(const Stage& stage) {
+    const auto& [first, second] = stage;
+    if (first.kick == 0.0) return Moves::any;
+    if (first.drift != 0.0 && !moves(second)) return Moves::kick_drift;
+    if (first.drift == 0.0 && second.kick != 0.0 && second.drift != 0.0) return Moves::kick_kick_drift;
+    return Moves::any;
 }
 
-template <Sums sums, bool once, int width>
+template <Sums sums, Moves moves, int width>
 void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses) {
-    if constexpr (once) {
-        kick<sums>(stage.first, a, masses);
-        drift<sums>(stage.first, masses);
-    } else {
+    if constexpr (moves == Moves::any) {
         move<sums>(stage.first, a, masses);
         move<sums>(stage.second, a, masses);
+    } else {
+        kick<sums>(stage.first, a, masses);
+        if constexpr (moves == Moves::kick_kick_drift) kick<sums>(stage.second, a, masses);
+        drift<sums>(moves == Moves::kick_drift ? stage.first : stage.second, masses);
     }
 }
 
@@ -141,7 +148,7 @@ void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses
 constexpr int lost_fields = 4;
 
 // A loop over a part of the masses.
-template <int width, bool side_by_side, Sums sums, bool once>
+template <int width, bool side_by_side, Sums sums, Moves moves>
 void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
     double* const x = bundle[Bundle::x];
     double* const y = bundle[Bundle::y];
@@ -154,7 +161,7 @@ void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index e
         Moving<width> masses{load<width>(x + i, y + i), load<width>(vx + i, vy + i), {}};
         if constexpr (sums == Sums::compensated)
             masses.lost = {load<width>(lost[0] + i, lost[1] + i), load<width>(lost[2] + i, lost[3] + i)};
-        move<sums, once>(stage, a, masses);
+        move<sums, moves>(stage, a, masses);
         store(x + i, y + i, masses.x);
         store(vx + i, vy + i, masses.v);
         if constexpr (sums == Sums::compensated) {
@@ -162,7 +169,7 @@ void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index e
             store(lost[2] + i, lost[3] + i, masses.lost.v);
         }
     };
-    if (once || stage.first.kick != 0.0)
+    if (moves != Moves::any || stage.first.kick != 0.0)
         accelerate<width, side_by_side>(bundle, Bundle::x, begin, end, before, leap_at);
     else
         for (Eigen::Index i = begin; i < end; i += width) leap_at(i, {});
@@ -170,14 +177,20 @@ void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index e
 
 template <int width, bool side_by_side, Sums sums>
 void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
-    in_blocks<width>(bundle, stages(leaps),
-                     [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-                         const Stage now = stage(leaps, j);
-                         if (moves_once(now))
-                             pass<width, side_by_side, sums, true>(now, bundle, begin, end, before);
-                         else
-                             pass<width, side_by_side, sums, false>(now, bundle, begin, end, before);
-                     });
+    in_blocks<width>(
+        bundle, stages(leaps), [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
+            const Stage now = stage(leaps, j);
+            switch (moves_of(now)) {
+                case Moves::kick_drift:
+                    return pass<width, side_by_side, sums, Moves::kick_drift>(now, bundle, begin, end,
+                                                                              before);
+                case Moves::kick_kick_drift:
+                    return pass<width, side_by_side, sums, Moves::kick_kick_drift>(now, bundle, begin, end,
+                                                                                   before);
+                case Moves::any:
+                    return pass<width, side_by_side, sums, Moves::any>(now, bundle, begin, end, before);
+            }
+        });
 }
 
 // A rope of that many vectors stays in registers through all leaps.
@@ -204,7 +217,7 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
         }
         for (std::size_t i = 0; i < vectors; ++i) {
             const VectorLanes<width>& force = force_before[i + 1];
-            move<sums, false>(
+            move<sums, Moves::any>(
                 now, acceleration_lanes<width>(weight[i], force, shifted_up(force_before[i], force), fall[i]),
                 masses[i]);
         }

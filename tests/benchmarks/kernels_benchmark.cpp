@@ -200,6 +200,7 @@ void print_springs() {
     std::printf("%-28s %9s %10s %10s %12s %10s\n", "per spring and step", "masses", "ns", "cycles",
                 "x seed_style", "x floor");
     const auto row = [&](const char* what, int masses, double each, double baseline) {
+        if (each == 0.0) return;  // not measured: filtered out
         std::printf("%-28s %9d %10.2f %10.2f %12.2f %10.2f\n", what, masses, each, each / cycle,
                     baseline / each, each / floor);
     };

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -43,14 +44,16 @@ bool is_regular_or_missing(const std::filesystem::path& path) {
     return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
+constexpr std::string_view temporary_begin = ".ropesim-";
+constexpr std::string_view temporary_suffix = ".tmp";
+
 // Temporary files of this machine are named .ropesim-<host>-<process>.tmp, or .ropesim-<host>-<process>-1.tmp
 // and so on where a process writes several at once.
 std::string temporary_prefix() {
     std::array<char, 65> host{};
     ::gethostname(host.data(), host.size() - 1);
-    return ".ropesim-" + std::string(host.data()) + "-";
+    return std::string(temporary_begin) + host.data() + "-";
 }
-constexpr std::string_view temporary_suffix = ".tmp";
 
 // The process in the name of a temporary file; 0 for any other name.
 pid_t process_of(std::string_view name, const std::string& prefix) {
@@ -61,6 +64,10 @@ pid_t process_of(std::string_view name, const std::string& prefix) {
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
     const bool ends = end == name.data() + name.size() || *end == '-';
     return error == std::errc() && ends ? process : 0;
+}
+
+bool is_dead(pid_t process) {
+    return ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 }  // namespace
@@ -166,11 +173,24 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+std::vector<std::filesystem::path> stray_temporaries(const std::filesystem::path& folder) {
+    const std::string prefix = temporary_prefix();
+    std::vector<std::filesystem::path> strays;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(temporary_begin) || !name.ends_with(temporary_suffix)) continue;
+        const pid_t process = process_of(name, prefix);
+        if (process == 0 || is_dead(process)) strays.push_back(entry.path());
+    }
+    std::ranges::sort(strays);
+    return strays;
+}
+
 void remove_stale_temporaries(const std::filesystem::path& folder) {
     const std::string prefix = temporary_prefix();
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const pid_t process = process_of(entry.path().filename().string(), prefix);
-        if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) std::filesystem::remove(entry.path());
+        if (process > 0 && is_dead(process)) std::filesystem::remove(entry.path());
     }
 }
 

@@ -47,6 +47,10 @@ class NewFile {
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+// The temporary files in the folder that no process of this machine is writing: killed ones left them, or
+// they are of another machine.
+std::vector<std::filesystem::path> stray_temporaries(const std::filesystem::path& folder);
+
 // Deletes temporary files that killed processes of this machine left in the folder.
 void remove_stale_temporaries(const std::filesystem::path& folder);
 

@@ -85,6 +85,12 @@ bool FrameList::contains(long frame) const {
     return next != ranges_.begin() && frame <= std::prev(next)->last;
 }
 
+FrameList both(const FrameList& a, const FrameList& b) {
+    std::vector<FrameList::Range> ranges = a.ranges();
+    ranges.insert(ranges.end(), b.ranges().begin(), b.ranges().end());
+    return FrameList(std::move(ranges));
+}
+
 Shard parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash != std::string_view::npos) {

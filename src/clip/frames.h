@@ -64,6 +64,9 @@ class FrameList {
     std::vector<Range> ranges_;
 };
 
+// The frames of one list or the other.
+FrameList both(const FrameList& a, const FrameList& b);
+
 // The frames whose number is `index` modulo `count`.
 struct Shard {
     long index = 0;

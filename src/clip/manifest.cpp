@@ -11,10 +11,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <system_error>
 
 namespace ropesim {
 namespace {
 
+constexpr const char* version_key = "Software";
 constexpr const char* scene_key = "ropesim:scene";
 constexpr const char* digest_key = "ropesim:digest";
 constexpr const char* frame_key = "ropesim:frame";
@@ -110,6 +112,11 @@ void add_motion(const Scene& scene, const Simulation& simulation, std::size_t i,
     }
 }
 
+// The text of a key; "" where it has none.
+std::string text_of(const nlohmann::json& json, const char* key) {
+    return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
+}
+
 std::string text_of(const Texts& texts, const char* key) {
     const auto text = texts.find(key);
     return text == texts.end() ? "" : text->second;
@@ -119,7 +126,7 @@ std::string text_of(const Texts& texts, const char* key) {
 
 Texts frame_texts(const Scene& scene, const std::string& positions_digest) {
     const std::string toml = to_toml(scene);
-    Texts texts{{"Software", version()},
+    Texts texts{{version_key, version()},
                 {scene_key, toml},
                 {digest_key, digest(toml)},
                 {methods_key, methods_text(scene)}};
@@ -147,6 +154,10 @@ std::string frame_of(const Texts& texts) {
     return text_of(texts, frame_key);
 }
 
+std::string version_of(const Texts& texts) {
+    return text_of(texts, version_key);
+}
+
 std::string positions_digest_of(const Texts& texts) {
     return text_of(texts, positions_key);
 }
@@ -167,6 +178,40 @@ std::string clip_json(const Scene& scene, const Simulation& simulation, const st
     }
     json["scene"] = toml;
     return (positions_digest.empty() ? with_frame_errors(json.dump(2), simulation) : json.dump(2)) + "\n";
+}
+
+Manifest parse_manifest(std::string_view text, const std::string& name) {
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object() || text_of(json, "scene").empty())
+        throw std::runtime_error(name + ": holds no scene, expected a manifest made by ropesim");
+    Manifest manifest;
+    manifest.scene = parse_scene(text_of(json, "scene"), name);
+    manifest.digest = text_of(json, "digest");
+    if (manifest.digest != digest(text_of(json, "scene")))
+        throw std::runtime_error(name + ": its digest is not that of its scene");
+    manifest.version = text_of(json, "version");
+    manifest.positions_digest = text_of(json, "positions");
+    const std::string frames = text_of(json, "frames");
+    if (frames.empty()) throw std::runtime_error(name + ": does not say which frames the clip has");
+    try {
+        manifest.frames = parse_frames(frames, manifest.scene.frames);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(name + ": " + error.what());
+    }
+    const nlohmann::json ropes = json.value("ropes", nlohmann::json::array());
+    manifest.has_errors = !ropes.empty() && ropes.is_array() && ropes[0].contains("error");
+    return manifest;
+}
+
+std::filesystem::path manifest_path(const std::filesystem::path& folder) {
+    return folder / "clip.json";
+}
+
+void remove_manifest(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::remove(manifest_path(folder), error);
+    if (error)
+        throw std::runtime_error(manifest_path(folder).string() + ": cannot remove: " + error.message());
 }
 
 std::string digest(std::string_view bytes) {

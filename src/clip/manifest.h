@@ -4,7 +4,10 @@
 #include "clip/simulation.h"
 #include "image/png.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ropesim {
@@ -21,6 +24,9 @@ Scene scene_of(const Texts& texts, const std::string& name);
 std::string scene_digest_of(const Texts& texts);
 std::string frame_of(const Texts& texts);
 
+// The version of the program that made a frame, as its texts give it; "" where they give none.
+std::string version_of(const Texts& texts);
+
 // The digest of the positions file that the frame was drawn from; "" where the scene was simulated.
 std::string positions_digest_of(const Texts& texts);
 
@@ -29,6 +35,25 @@ std::string positions_digest_of(const Texts& texts);
 // first frame and the last.
 std::string clip_json(const Scene& scene, const Simulation& simulation, const std::string& positions_digest,
                       const FrameList& frames, const std::string& renderer);
+
+// What clip.json says that the clip is.
+struct Manifest {
+    std::string version;  // of the program that made it
+    std::string digest;   // of the scene
+    Scene scene;
+    std::string positions_digest;
+    FrameList frames;
+    bool has_errors = false;  // whether errors were estimated
+};
+
+// Reads and checks clip.json. Throws std::runtime_error, "<name>: what was found, what was expected".
+Manifest parse_manifest(std::string_view json, const std::string& name);
+
+// The file's place in the folder of the clip.
+std::filesystem::path manifest_path(const std::filesystem::path& folder);
+
+// Throws std::runtime_error where it is there and cannot be removed.
+void remove_manifest(const std::filesystem::path& folder);
 
 // 128 bits of the bytes as 32 hexadecimal digits (XXH3).
 std::string digest(std::string_view bytes);

@@ -1,6 +1,8 @@
 #include "clip/positions.h"
 
 #include "clip/csv.h"
+#include "clip/file.h"
+#include "clip/manifest.h"
 
 #include <array>
 #include <bit>
@@ -208,6 +210,18 @@ std::string to_csv(const Scene& scene, const Positions& positions) {
 Positions parse_positions(const Scene& scene, std::string_view bytes, std::string_view name) {
     return bytes.starts_with(npy_magic.substr(0, 6)) ? parse_npy(scene, bytes, name)
                                                      : parse_csv(scene, bytes, name);
+}
+
+PositionsFile read_positions(const Scene& scene, const std::filesystem::path& path) {
+    const std::vector<std::uint8_t> bytes = read_file(path);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return {parse_positions(scene, text, path.string()), digest(text)};
+}
+
+void check_frames(const Positions& positions, const FrameList& frames, std::string_view name) {
+    for (const long frame : frames)
+        if (!positions.contains(frame))
+            throw std::runtime_error(std::string(name) + ": holds no frame " + std::to_string(frame));
 }
 
 }  // namespace ropesim

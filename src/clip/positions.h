@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/frames.h"
 #include "scene/scene.h"
 #include "simulation/rope.h"
 
@@ -26,5 +27,15 @@ std::string to_csv(const Scene& scene, const Positions& positions);
 // std::runtime_error, "<name>:<line>: what was found, what was expected", where the file does not fit the
 // scene's ropes or a number is not finite.
 Positions parse_positions(const Scene& scene, std::string_view bytes, std::string_view name);
+
+// The same from a file, and the digest of its bytes.
+struct PositionsFile {
+    Positions positions;
+    std::string digest;
+};
+PositionsFile read_positions(const Scene& scene, const std::filesystem::path& path);
+
+// Throws std::runtime_error, "<name>: what is missing", where they have not all of these frames.
+void check_frames(const Positions& positions, const FrameList& frames, std::string_view name);
 
 }  // namespace ropesim

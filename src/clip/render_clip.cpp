@@ -21,8 +21,6 @@
 namespace ropesim {
 namespace {
 
-constexpr const char* manifest_name = "clip.json";
-
 std::filesystem::path frame_path(const Scene& scene, const ClipOptions& options, long frame) {
     return options.folder / frame_name(frame, scene.frames);
 }
@@ -91,6 +89,24 @@ void advance_to(long frame, Simulation& simulation) {
     for (; simulation.frame() < frame; simulation.advance()) Interrupts::check();
 }
 
+// The frames that clip.json names, where it is there and of this very clip; otherwise it is taken away.
+FrameList frames_known(const Scene& scene, const ClipOptions& options) {
+    const std::filesystem::path path = manifest_path(options.folder);
+    if (!std::filesystem::exists(path)) return {};
+    try {
+        const std::vector<std::uint8_t> bytes = read_file(path);
+        const Manifest manifest =
+            parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+        if (manifest.version == version() && manifest.scene == scene &&
+            manifest.positions_digest == options.positions_digest)
+            return manifest.frames;
+    } catch (const std::runtime_error&) {
+        // it is no clip.json that anyone could go by
+    }
+    remove_manifest(options.folder);
+    return {};
+}
+
 // What stands in the folder beside the frames that are asked for, and is not of this clip.
 std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& options) {
     std::vector<long> beyond;
@@ -129,14 +145,13 @@ void prepare_folder(const ClipOptions& options) {
             options.folder.string() + " already holds frames (" + to_string(there) +
             "); --resume keeps those of this clip, --overwrite makes them anew, -o names "
             "another folder");
-    std::filesystem::remove(options.folder / manifest_name, error);  // until the frames are what it says
-    if (error) throw std::runtime_error(options.folder.string() + ": cannot write: " + error.message());
 }
 
 ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,
                        const ClipOptions& options) {
     ClipResult result;
     result.notes = leftovers(scene, options);
+    const FrameList known = frames_known(scene, options);
     const Interrupts interrupts;
     FrameWriter writer(scene, options);
     const auto wanted = [&](long frame) { return options.shard.contains(frame); };
@@ -168,8 +183,9 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     }
     if (!given) advance_to(scene.frames - 1, simulation);
     helpers.finish();
-    write_file(options.folder / manifest_name, clip_json(scene, simulation, options.positions_digest,
-                                                         options.frames, writer.renderer().description()));
+    write_file(manifest_path(options.folder),
+               clip_json(scene, simulation, options.positions_digest, both(known, options.frames),
+                         writer.renderer().description()));
     return result;
 }
 

@@ -41,9 +41,10 @@ struct ClipResult {
 void prepare_folder(const ClipOptions& options);
 
 // Renders the frames into the folder, where the simulation (in frame 0) takes the ropes or where `given` says
-// they are, then writes clip.json, which needs the simulation to go to the scene's last frame. Throws
-// std::runtime_error (the disk is full, no OpenGL context, ...) and Interrupted; what is there then is whole,
-// and `resume` goes on from it.
+// they are, then writes clip.json, which needs the simulation to go to the scene's last frame. It names these
+// frames, of all shards, and those of a clip.json of the same clip that was there. Throws std::runtime_error
+// (the disk is full, no OpenGL context, ...) and Interrupted; what is there then is whole, and `resume` goes
+// on from it.
 ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,
                        const ClipOptions& options);
 

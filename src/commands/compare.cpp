@@ -199,6 +199,7 @@ int compare(const CompareOptions& options) {
     clip.existing = options.overwrite ? Existing::overwrite : Existing::refuse;
     if (!as_strip) selected_frames(options.frames, scene);
     prepare_folder(clip);
+    remove_manifest(options.folder);  // these are no frames that it could speak of
     Simulation simulation(
         scene, options.scene.no_error ? Simulation::Errors::left_out : Simulation::Errors::estimated);
     if (!options.quiet)

@@ -91,20 +91,16 @@ void warn(bool quiet, const std::string& sentence) {
 }
 
 // Reads the file; takes every frame that it holds where none are asked for.
-Positions read_positions(const Scene& scene, const RenderOptions& options, ClipOptions& clip) {
-    const std::vector<std::uint8_t> bytes = read_file(options.positions);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    Positions positions = parse_positions(scene, text, options.positions);
-    clip.positions_digest = digest(text);
+Positions given_positions(const Scene& scene, const RenderOptions& options, ClipOptions& clip) {
+    PositionsFile file = read_positions(scene, options.positions);
+    clip.positions_digest = file.digest;
     if (options.frames.empty()) {
         std::vector<long> frames;
-        for (const auto& [frame, ropes] : positions) frames.push_back(frame);
+        for (const auto& [frame, ropes] : file.positions) frames.push_back(frame);
         clip.frames = frames;
     }
-    for (const long frame : clip.frames)
-        if (!positions.contains(frame))
-            throw std::runtime_error(options.positions + ": holds no frame " + std::to_string(frame));
-    return positions;
+    check_frames(file.positions, clip.frames, options.positions);
+    return std::move(file.positions);
 }
 
 bool report_divergence(const Scene& scene, const Simulation& simulation, bool quiet) {
@@ -166,7 +162,7 @@ int render(const RenderOptions& options) {
                                    "a shard has only some of the frames; --resume --video makes it of all");
     const bool simulating = options.positions.empty();
     Positions given;
-    if (!simulating) given = read_positions(scene, options, clip);
+    if (!simulating) given = given_positions(scene, options, clip);
     if (!options.video.empty()) check_video(options.video, clip.frames);
     prepare_folder(clip);
     Simulation simulation(scene, simulating && !options.scene.no_error ? Simulation::Errors::estimated

@@ -4,8 +4,6 @@
 #include "clip/manifest.h"
 #include "image/png.h"
 
-#include <nlohmann/json.hpp>
-
 #include <stdexcept>
 #include <string_view>
 
@@ -35,11 +33,9 @@ void read_frame(const std::filesystem::path& path, Side& side) {
 }
 
 void read_manifest(const std::filesystem::path& path, Side& side) {
-    const nlohmann::json json = nlohmann::json::parse(text_of(path), nullptr, false);
-    if (!json.is_object() || !json.contains("scene") || !json["scene"].is_string())
-        throw std::runtime_error(path.string() + ": holds no scene, expected a manifest made by ropesim");
-    side.scene = parse_scene(json["scene"].get<std::string>(), path.string());
-    side.drawn_from_positions = json.contains("positions");
+    const Manifest manifest = parse_manifest(text_of(path), path.string());
+    side.scene = manifest.scene;
+    side.drawn_from_positions = !manifest.positions_digest.empty();
 }
 
 void read_scene(const Comparison& comparison, Which which, Side& side) {
@@ -48,8 +44,8 @@ void read_scene(const Comparison& comparison, Which which, Side& side) {
         read_frame(
             which == Which::expected ? expected_path(comparison, *frame) : actual_path(comparison, *frame),
             side);
-    else if (comparison.folders && std::filesystem::exists(folder / "clip.json"))
-        read_manifest(folder / "clip.json", side);
+    else if (comparison.folders && std::filesystem::exists(manifest_path(folder)))
+        read_manifest(manifest_path(folder), side);
     else if (comparison.folders && std::filesystem::exists(folder / "scene.toml"))
         side.scene = parse_scene(text_of(folder / "scene.toml"), (folder / "scene.toml").string());
 }

@@ -99,13 +99,48 @@ TEST_F(CommandLine, WithoutACommandRendersTheBuiltInScene) {
 
 TEST_F(CommandLine, EveryCommandHasHelpWithAnExample) {
     EXPECT_THAT(run({"--help"}).out, HasSubstr("Example"));
-    for (const char* command : {"render", "simulate", "diff", "methods", "scenes", "doctor"}) {
+    for (const char* command : {"render", "simulate", "diff", "verify", "methods", "scenes", "doctor"}) {
         const Outcome outcome = run({command, "--help"});
         EXPECT_EQ(outcome.status, 0);
         EXPECT_THAT(outcome.out, HasSubstr("Example")) << command;
         EXPECT_THAT(outcome.out, HasSubstr(std::string("ropesim ") + command)) << command;
     }
     EXPECT_EQ(run({"--version"}).out, version() + "\n");
+}
+
+TEST_F(CommandLine, VerifyNamesWhatIsNotRightAndRepairsJustThat) {
+    write("small.toml", small_seed());
+    run({"render", "small.toml"});
+    const auto undisturbed = contents("frames");
+    EXPECT_EQ(run({"verify", "frames"}).out, "5 frames in frames: all there, whole and of one clip\n");
+    std::filesystem::remove(temporary.path() / "frames" / "frame_0001.png");
+    write("frames/frame_0003.png", "half a frame");
+    const auto age = std::filesystem::last_write_time(temporary.path() / "frames" / "frame_0000.png");
+    const Outcome outcome = run({"verify", "frames"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("frames/frame_0001.png: missing\n"),
+                                   HasSubstr("frames/frame_0003.png: broken: ")));
+    EXPECT_EQ(outcome.err, "ropesim: frames: 2 of 5 frames not right; --repair renders just those\n");
+    EXPECT_EQ(run({"verify", "frames", "--quiet"}).out, "");
+    const Outcome repaired = run({"verify", "frames", "--repair", "--jobs", "2"});
+    EXPECT_EQ(repaired.status, 0) << repaired.err;
+    EXPECT_THAT(repaired.out, HasSubstr("rendered 2 frames anew: 1,3\n"));
+    EXPECT_EQ(contents("frames"), undisturbed);
+    EXPECT_EQ(std::filesystem::last_write_time(temporary.path() / "frames" / "frame_0000.png"), age);
+}
+
+TEST_F(CommandLine, VerifyNeedsThePositionsThatAClipWasDrawnFrom) {
+    write("small.toml", small_seed());
+    run({"simulate", "small.toml", "-o", "at.npy"});
+    run({"simulate", "small.toml", "-s", "65", "-o", "other.npy"});
+    run({"render", "small.toml", "--positions", "at.npy"});
+    const auto undisturbed = contents("frames");
+    std::filesystem::remove(temporary.path() / "frames" / "frame_0001.png");
+    EXPECT_THAT(run({"verify", "frames", "--repair"}).err, HasSubstr("give that file by --positions"));
+    EXPECT_THAT(run({"verify", "frames", "--repair", "--positions", "other.npy"}).err,
+                HasSubstr("other.npy: is not the file that frames was drawn from"));
+    EXPECT_EQ(run({"verify", "frames", "--repair", "--positions", "at.npy"}).status, 0);
+    EXPECT_EQ(contents("frames"), undisturbed);
 }
 
 TEST_F(CommandLine, RefusesWrongUsageWithStatus2) {

@@ -44,6 +44,7 @@ MovingRopes::MovingRopes(std::vector<MovingRope> ropes) : ropes_(std::move(ropes
         each.bundle.resize(first.rope().start.rows(), lanes(widest_instruction_set()), fields(each.leaps));
         for (std::size_t lane = 0; lane < each.ropes.size(); ++lane)
             each.bundle.put(ropes_[each.ropes[lane]].rope(), static_cast<Eigen::Index>(lane));
+        put_states(each);
     }
 }
 
@@ -63,12 +64,17 @@ void MovingRopes::advance() {
     for (const std::size_t rope : alone_) ropes_[rope].advance();
 }
 
+void MovingRopes::put_states(SideBySide& side_by_side) const {
+    for (std::size_t lane = 0; lane < side_by_side.ropes.size(); ++lane)
+        side_by_side.bundle.put(ropes_[side_by_side.ropes[lane]].state(), static_cast<Eigen::Index>(lane),
+                                side_by_side.leaps.velocity_unit);
+}
+
 void MovingRopes::advance(SideBySide& side_by_side) {
     Bundle& bundle = side_by_side.bundle;
     const Leaps& leaps = side_by_side.leaps;
-    for (std::size_t lane = 0; lane < side_by_side.ropes.size(); ++lane)
-        bundle.put(ropes_[side_by_side.ropes[lane]].state(), static_cast<Eigen::Index>(lane),
-                   leaps.velocity_unit);
+    // The bundle has the states still, but for what the unit rounds off in a rope alone.
+    if (leaps.velocity_unit != 1.0) put_states(side_by_side);
     Cost cost;
     leap(leaps, bundle, widest_instruction_set(), cost);
     for (std::size_t lane = 0; lane < side_by_side.ropes.size(); ++lane)

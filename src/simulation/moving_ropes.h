@@ -27,6 +27,7 @@ class MovingRopes {
         Leaps leaps{};
     };
     void put_side_by_side(std::size_t rope);
+    void put_states(SideBySide& side_by_side) const;
     void advance(SideBySide& side_by_side);
 
     std::vector<MovingRope> ropes_;

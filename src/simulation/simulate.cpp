@@ -8,15 +8,23 @@
 namespace ropesim {
 namespace {
 
-bool has_diverged(const Rope& rope, const State& state) {
-    return !state.position.isFinite().all() || !state.velocity.isFinite().all() ||
-           longest_link(state.position) > sensible_length(rope, state.time);
+// A sensible length of a rope that does not fall.
+double sensible_length(const Rope& rope) {
+    return static_cast<double>(rope.start.rows() - 1) * std::max(longest_link(rope.start), rope.rest_length);
+}
+
+double sensible_length(double length, const Rope& rope, double time) {
+    return 1000.0 * (length + std::sqrt(rope.gravity.square().sum()) * time * time);
 }
 
 }  // namespace
 
 MovingRope::MovingRope(const Rope& rope, const Method& method, const Stepping& stepping)
-    : rope_(&rope), method_(&method), stepping_(stepping), state_(at_rest(rope)) {
+    : rope_(&rope),
+      method_(&method),
+      stepping_(stepping),
+      sensible_length_(sensible_length(rope)),
+      state_(at_rest(rope)) {
     enter(0);
 }
 
@@ -36,7 +44,12 @@ void MovingRope::advance(const Bundle& bundle, Eigen::Index lane, const Leaps& l
 void MovingRope::enter(long frame) {
     frame_ = frame;
     state_.time = static_cast<double>(frame) * (static_cast<double>(stepping_.steps) * stepping_.step_size);
-    if (has_diverged(*rope_, state_)) diverged_ = frame;
+    if (has_diverged()) diverged_ = frame;
+}
+
+bool MovingRope::has_diverged() const {
+    return !state_.position.isFinite().all() || !state_.velocity.isFinite().all() ||
+           longest_link(state_.position) > sensible_length(sensible_length_, *rope_, state_.time);
 }
 
 Diagnostics MovingRope::diagnostics() const {
@@ -52,9 +65,7 @@ void Summary::add(const Diagnostics& frame) {
 }
 
 double sensible_length(const Rope& rope, double time) {
-    const double links = static_cast<double>(rope.start.rows() - 1);
-    const double fall = std::sqrt(rope.gravity.square().sum()) * time * time;
-    return 1000.0 * (links * std::max(longest_link(rope.start), rope.rest_length) + fall);
+    return sensible_length(sensible_length(rope), rope, time);
 }
 
 Trajectory simulate(const Rope& rope, const Method& method, const Stepping& stepping, long frames) {

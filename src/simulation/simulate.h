@@ -36,10 +36,12 @@ class MovingRope {
 
   private:
     void enter(long frame);
+    bool has_diverged() const;
 
     const Rope* rope_;
     const Method* method_;
     Stepping stepping_;
+    double sensible_length_;  // while it does not fall
     State state_;
     Scratch scratch_;
     long frame_ = 0;

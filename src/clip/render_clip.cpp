@@ -131,13 +131,15 @@ std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& option
 
 }  // namespace
 
-void prepare_folder(const ClipOptions& options) {
+FolderLock prepare_folder(const ClipOptions& options) {
     std::error_code error;
     std::filesystem::create_directory(options.folder, error);
     if (error)
         throw std::runtime_error(options.folder.string() + ": cannot make the folder: " + error.message());
     if (!std::filesystem::is_directory(options.folder))
         throw std::runtime_error(options.folder.string() + ": expected a folder for the frames");
+    FolderLock lock(options.folder,
+                    options.shard.count > 1 ? FolderLock::Kind::shared : FolderLock::Kind::alone);
     remove_stale_temporaries(options.folder);
     const FrameList there = in_shard(frames_in(options.folder), options.shard);
     if (options.existing == Existing::refuse && !there.empty())
@@ -145,6 +147,7 @@ void prepare_folder(const ClipOptions& options) {
             options.folder.string() + " already holds frames (" + to_string(there) +
             "); --resume keeps those of this clip, --overwrite makes them anew, -o names "
             "another folder");
+    return lock;
 }
 
 ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,

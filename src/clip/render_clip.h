@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/folder_lock.h"
 #include "clip/frames.h"
 #include "clip/positions.h"
 #include "clip/simulation.h"
@@ -36,9 +37,10 @@ struct ClipResult {
     std::vector<std::string> notes;  // what a user should know, such as frames of a longer clip left over
 };
 
-// Makes the folder where needed, and checks that it may be written to. Throws std::runtime_error where its
-// parent is missing, it is no folder, or it holds frames and `existing` says refuse.
-void prepare_folder(const ClipOptions& options);
+// Makes the folder where needed and keeps others out of it, for as long as the lock is kept. Throws
+// std::runtime_error where its parent is missing, it is no folder, another process is writing there, or it
+// holds frames and `existing` says refuse.
+[[nodiscard]] FolderLock prepare_folder(const ClipOptions& options);
 
 // Renders the frames into the folder, where the simulation (in frame 0) takes the ropes or where `given` says
 // they are, then writes clip.json, which needs the simulation to go to the scene's last frame. It names these

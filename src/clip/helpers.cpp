@@ -26,7 +26,7 @@ namespace {
 
 // Frames that a helper has at once: one that it draws and one that waits, so that it need not. More would
 // leave it with more to do than the others in the end.
-constexpr int most_frames = 2;
+constexpr std::size_t most_frames = 2;
 
 using Bytes = std::span<std::byte>;
 
@@ -128,23 +128,26 @@ void draw_what_comes(int socket, const DrawFrame& draw) {
     ::_exit(status);
 }
 
-// Waits for a process; how it ended, where that was not well.
-std::string end_of(pid_t process) {
+// Waits for a process to end.
+int status_of(pid_t process) {
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
     }
-    if (WIFSIGNALED(status))
-        return "a job was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
-               ::strsignal(WTERMSIG(status)) + "); --resume does what it left";
-    return WEXITSTATUS(status) == 0 ? "" : "a job failed; --resume does what it left";
+    return status;
+}
+
+// The signal that ended a process, or that it ended itself for; 0 where there was none.
+int signal_of(int status) {
+    if (WIFSIGNALED(status)) return WTERMSIG(status);
+    return std::max(0, WEXITSTATUS(status) - 128);
 }
 
 }  // namespace
 
-Helpers::Helpers(int count, const DrawFrame& draw) {
+Helpers::Helpers(int count, DrawFrame draw) : draw_(std::move(draw)) {
     std::fflush(nullptr);
     try {
-        for (int i = 0; i < count; ++i) start(draw);
+        for (int i = 0; i < count; ++i) start();
     } catch (...) {
         end_all();
         throw;
@@ -155,7 +158,7 @@ Helpers::~Helpers() {
     end_all();
 }
 
-void Helpers::start(const DrawFrame& draw) {
+void Helpers::start() {
     std::array<int, 2> ends;
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         throw std::runtime_error(std::string("cannot start a job: ") + std::strerror(errno));
@@ -163,7 +166,7 @@ void Helpers::start(const DrawFrame& draw) {
     if (process == 0) {
         for (const Helper& other : helpers_) ::close(other.socket);
         ::close(ends[0]);
-        help(ends[1], draw);
+        help(ends[1], draw_);
     }
     const int error = errno;
     ::close(ends[1]);
@@ -171,16 +174,21 @@ void Helpers::start(const DrawFrame& draw) {
         ::close(ends[0]);
         throw std::runtime_error(std::string("cannot start a job: ") + std::strerror(error));
     }
-    helpers_.push_back({process, ends[0]});
+    helpers_.push_back({process, ends[0], {}});
 }
 
 bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
     receive_marks(false);
     const std::span<Helper> asked(helpers_.data(), static_cast<std::size_t>(std::min(most, count())));
-    const auto idlest = std::ranges::min_element(asked, {}, &Helper::frames);
-    if (idlest == asked.end() || idlest->frames == most_frames) return false;
-    if (!send_all(idlest->socket, message_of(frame, positions))) fail();
-    ++idlest->frames;
+    const auto idlest =
+        std::ranges::min_element(asked, {}, [](const Helper& helper) { return helper.undrawn.size(); });
+    if (idlest == asked.end() || idlest->undrawn.size() == most_frames) return false;
+    std::vector<std::byte> message = message_of(frame, positions);
+    if (!send_all(idlest->socket, message)) {
+        bury(static_cast<std::size_t>(idlest - asked.begin()));
+        return false;
+    }
+    idlest->undrawn.push_back(std::move(message));
     return true;
 }
 
@@ -189,7 +197,7 @@ long Helpers::drawn() {
 }
 
 void Helpers::finish() {
-    while (std::ranges::any_of(helpers_, [](const Helper& helper) { return helper.frames > 0; }))
+    while (std::ranges::any_of(helpers_, [](const Helper& helper) { return !helper.undrawn.empty(); }))
         receive_marks(true);
 }
 
@@ -198,36 +206,47 @@ void Helpers::receive_marks(bool wait) {
     std::vector<pollfd> sockets;
     for (const Helper& helper : helpers_) sockets.push_back({helper.socket, POLLIN, 0});
     while (::poll(sockets.data(), sockets.size(), wait ? -1 : 0) < 0) Interrupts::check();
-    for (std::size_t i = 0; i < sockets.size(); ++i) {
+    for (std::size_t i = sockets.size(); i-- > 0;) {  // from the last, as those that died go
         if (sockets[i].revents == 0) continue;
         std::array<char, most_frames> marks;
         const ssize_t count = ::read(sockets[i].fd, marks.data(), marks.size());
-        if (count <= 0) fail();
-        helpers_[i].frames -= static_cast<int>(count);
+        if (count <= 0) {
+            bury(i);
+            continue;
+        }
+        std::deque<std::vector<std::byte>>& undrawn = helpers_[i].undrawn;
+        undrawn.erase(undrawn.begin(), undrawn.begin() + count);
         drawn_ += count;
     }
 }
 
-// Ends all, after the frame they are at; how one of them had ended, where it was not well.
-std::string Helpers::end_all() {
+// Draws what a helper left that was killed; one that failed would fail again.
+void Helpers::bury(std::size_t helper) {
+    const Helper dead = std::move(helpers_[helper]);
+    helpers_.erase(helpers_.begin() + static_cast<std::ptrdiff_t>(helper));
+    ::close(dead.socket);
+    const int status = status_of(dead.process);
+    Interrupts::check();
+    if (signal_of(status) == 0) throw std::runtime_error("a job failed; --resume does what it left");
+    any_died_ = true;
+    std::fprintf(stderr, "ropesim: a job was ended by signal %d (%s); its frames are drawn again\n",
+                 signal_of(status), ::strsignal(signal_of(status)));
+    for (const std::vector<std::byte>& message : dead.undrawn) {
+        FrameHeader header;
+        std::memcpy(&header, message.data(), sizeof header);
+        draw_(header.frame, positions_in(std::span(message).subspan(sizeof header), header.ropes));
+        ++drawn_;
+    }
+}
+
+// After the frame they are at.
+void Helpers::end_all() {
     for (const Helper& helper : helpers_) {
         ::close(helper.socket);
         ::kill(helper.process, SIGTERM);
     }
-    std::string why;
-    for (const Helper& helper : helpers_) {
-        const std::string end = end_of(helper.process);
-        if (why.empty() || end.find("signal") != std::string::npos) why = end;
-    }
+    for (const Helper& helper : helpers_) status_of(helper.process);
     helpers_.clear();
-    return why;
-}
-
-// One of the helpers has failed.
-void Helpers::fail() {
-    const std::string why = end_all();
-    Interrupts::check();
-    throw std::runtime_error(why);
 }
 
 }  // namespace ropesim

@@ -4,6 +4,8 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,16 +16,20 @@ namespace ropesim {
 using DrawFrame = std::function<void(long frame, const std::vector<Points>& positions)>;
 
 // Processes that draw frames for this one. Make them before this process has an OpenGL context: what they
-// need they make for themselves, at their first frame.
+// need they make for themselves, at their first frame. What a helper leaves undrawn that is killed, this
+// process draws, and says so on stderr; the others go on.
 class Helpers {
   public:
     // Throws std::runtime_error where a process cannot be started.
-    Helpers(int count, const DrawFrame& draw);
+    Helpers(int count, DrawFrame draw);
     ~Helpers();  // ends those that are still at work, after the frame they are at
     Helpers(const Helpers&) = delete;
     Helpers& operator=(const Helpers&) = delete;
 
     int count() const { return static_cast<int>(helpers_.size()); }
+
+    // Whether one was killed.
+    bool any_died() const { return any_died_; }
 
     // Has the frame drawn by the one of the first `most` helpers that has the least to do; false where all
     // have enough to do. Throws std::runtime_error where a helper has failed; it has said why on stderr.
@@ -38,17 +44,19 @@ class Helpers {
   private:
     struct Helper {
         pid_t process;
-        int socket;      // frames go there, and a mark comes back for each that is drawn
-        int frames = 0;  // that it has been given and not drawn
+        int socket;  // frames go there, and a mark comes back for each that is drawn
+        std::deque<std::vector<std::byte>> undrawn;  // messages of the frames that it has
     };
 
-    void start(const DrawFrame& draw);
+    void start();
     void receive_marks(bool wait);
-    [[noreturn]] void fail();
-    std::string end_all();
+    void bury(std::size_t helper);
+    void end_all();
 
+    DrawFrame draw_;
     std::vector<Helper> helpers_;
     long drawn_ = 0;
+    bool any_died_ = false;
 };
 
 }  // namespace ropesim

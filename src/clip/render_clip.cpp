@@ -186,6 +186,7 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     }
     if (!given) advance_to(scene.frames - 1, simulation);
     helpers.finish();
+    if (helpers.any_died()) remove_stale_temporaries(options.folder);
     write_file(manifest_path(options.folder),
                clip_json(scene, simulation, options.positions_digest, both(known, options.frames),
                          writer.renderer().description()));

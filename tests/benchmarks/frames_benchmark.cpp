@@ -1,7 +1,7 @@
 // What a frame costs: ours, by one process and by two; our pictures by libpng's defaults; and the same
 // picture drawn and written by cairo and by OpenCV. Each is a process, or two, that has started, has made its
-// first frame, and waits; they take turns, so that whatever slows the machine slows all alike. Then what the
-// parts of ours cost, each alone: together they are the floor.
+// first frame, and waits; they take turns, so that whatever slows the machine slows all alike. What the parts
+// of ours cost, each alone: together they are the floor. And how long it takes to start.
 
 #include "benchmarks/frame_makers.h"
 #include "benchmarks/processor.h"
@@ -11,6 +11,10 @@
 #include "clip/run.h"
 #include "image/compact_png.h"
 #include "image/png.h"
+#include "render/context.h"
+#include "render/framebuffer.h"
+#include "render/rope_painter.h"
+#include "render/shared_library.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -91,9 +95,9 @@ class Worker {
             const MakeFrame make_frame = maker(of.scene, of.motion);
             const auto frames = static_cast<long>(of.motion.size());
             long frame = index;
-            const auto make_next = [&] {
+            const auto make_next = [&] {  // always a new file, as in a new clip
                 make_frame(frame % frames,
-                           folder / (std::to_string(index) + frame_name(frame % frames, frames)));
+                           folder / (std::to_string(::getpid()) + frame_name(frame, 1'000'000)));
                 frame += count;
             };
             make_next();
@@ -191,6 +195,94 @@ void print_sizes(const Case& of) {
                 compact / libpng);
 }
 
+// Milliseconds of the steps from an empty process to a first picture.
+struct StartUp {
+    double library = 0.0;        // loading OpenGL, and LLVM with it
+    double context = 0.0;        // making it current, framebuffer included
+    double shaders = 0.0;        // GLSL, as far as the driver compiles it beforehand
+    double first_picture = 0.0;  // the driver makes machine code when it first draws
+
+    double sum() const { return library + context + shaders + first_picture; }
+};
+
+StartUp start_up_here(const Case& of) {
+    StartUp spent;
+    double last = seconds();
+    const auto take = [&last](double& milliseconds) {
+        const double now = seconds();
+        milliseconds = 1000.0 * (now - last);
+        last = now;
+    };
+    const SharedLibrary library("libOSMesa.so.8");
+    take(spent.library);
+    const std::unique_ptr<OffscreenContext> context = make_context();
+    const Gl gl = load_gl(*context);
+    Framebuffer framebuffer(gl, of.scene.size[0], of.scene.size[1]);
+    framebuffer.read({0, 0, 1, 1});
+    take(spent.context);
+    const RopePainter painter(gl, of.scene.size[0], of.scene.size[1]);
+    take(spent.shaders);
+    painter.paint({{{10.0F, 10.0F}, {90.0F, 20.0F}, 2.0F, {255, 0, 0, 0}}});
+    framebuffer.read({0, 0, 1, 1});
+    take(spent.first_picture);
+    return spent;
+}
+
+// In a process that has not loaded OpenGL yet.
+StartUp start_up(const Case& of) {
+    std::array<int, 2> pipe{};
+    if (::pipe(pipe.data()) != 0) throw std::runtime_error("cannot make a pipe");
+    const pid_t child = ::fork();
+    StartUp spent;
+    if (child == 0) {
+        spent = start_up_here(of);
+        (void)!::write(pipe[1], &spent, sizeof spent);
+        ::_exit(0);
+    }
+    ::close(pipe[1]);
+    const bool is_read = ::read(pipe[0], &spent, sizeof spent) == sizeof spent;
+    ::close(pipe[0]);
+    ::waitpid(child, nullptr, 0);
+    if (!is_read) throw std::runtime_error("a process has failed");
+    return spent;
+}
+
+// Milliseconds from the program's start to its first frame in the folder.
+double first_frame(const std::filesystem::path& folder) {
+    const double begin = seconds();
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::execl(ROPESIM_PROGRAM, "ropesim", "render", "--size", "1280x720", "--frames", "0:1", "--quiet",
+                "--jobs", "1", "-o", folder.c_str(), nullptr);
+        ::_exit(1);
+    }
+    while (!std::filesystem::exists(folder / "frame_0000.png")) {
+        if (::waitpid(child, nullptr, WNOHANG) != 0) throw std::runtime_error("ropesim has failed");
+        ::usleep(100);
+    }
+    const double spent = 1000.0 * (seconds() - begin);
+    ::waitpid(child, nullptr, 0);
+    std::filesystem::remove_all(folder);
+    return spent;
+}
+
+void print_start_up(const Case& of, const std::filesystem::path& folder) {
+    constexpr std::size_t times = 11;
+    std::array<double, times> whole{};
+    std::array<StartUp, times> parts;
+    for (std::size_t i = 0; i < times; ++i) {
+        whole[i] = first_frame(folder / "first");
+        parts[i] = start_up(of);
+    }
+    std::ranges::sort(whole);
+    std::ranges::sort(parts, {}, &StartUp::sum);
+    const StartUp& median = parts[times / 2];
+    std::printf("from the start of the program to the first frame: %.0f ms (fastest of %zu: %.0f)\n",
+                whole[times / 2], times, whole.front());
+    std::printf("    load OpenGL %.0f, make a context %.0f, compile shaders %.0f, first picture %.0f\n\n",
+                median.library, median.context, median.shaders, median.first_picture);
+}
+
 Scene seed() {
     return parse_scene(builtin_scenes().front().toml, "seed");
 }
@@ -238,6 +330,7 @@ std::vector<Case> cases() {
 void run(const std::filesystem::path& on_disk, const std::filesystem::path& in_memory) {
     std::printf("%s; one process is one core; medians of %d rounds\n\n", processor().c_str(), rounds);
     const std::vector<Case> all = cases();
+    print_start_up(all.front(), in_memory);  // first, while no OpenGL is loaded here
     print_stages(all.front(), in_memory, "memory");
     print_stages(all.front(), on_disk, "disk");
     print_sizes(all.front());

@@ -21,6 +21,12 @@ namespace {
     throw std::runtime_error(path.string() + ": " + what + ": " + std::strerror(error));
 }
 
+void check_size(const std::filesystem::path& path, std::uint64_t size, std::uint64_t largest) {
+    if (size > largest)
+        throw std::runtime_error(path.string() + ": found " + std::to_string(size) +
+                                 " bytes or more, expected at most " + std::to_string(largest));
+}
+
 // A file descriptor that is closed when it goes.
 class Descriptor {
   public:
@@ -72,9 +78,12 @@ bool is_dead(pid_t process) {
 
 }  // namespace
 
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest) {
     Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.number() < 0) fail(path, "cannot open");
+    struct stat status {};
+    if (::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode))
+        check_size(path, static_cast<std::uint64_t>(status.st_size), largest);
     std::vector<std::uint8_t> bytes;
     std::array<std::uint8_t, 1 << 16> buffer;
     for (;;) {
@@ -82,6 +91,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) fail(path, "cannot read");
         if (count == 0) return bytes;
+        check_size(path, bytes.size() + static_cast<std::uint64_t>(count), largest);
         bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + count);
     }
 }

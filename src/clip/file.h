@@ -8,8 +8,13 @@
 
 namespace ropesim {
 
-// The bytes of a file, a pipe or a device. Throws std::runtime_error, "<path>: why".
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
+// The most bytes of a scene or picture, and of positions, that are read.
+inline constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
+inline constexpr std::uint64_t largest_positions = std::uint64_t{1} << 32;
+
+// The bytes of a file, a pipe or a device, where they are no more than the largest. Throws
+// std::runtime_error, "<path>: why".
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest = largest_file);
 
 // A file that is being written: it appears whole when it is finished, or not at all, also when the process
 // is killed. Until then it has a temporary name in the same folder; then it is renamed over whatever was

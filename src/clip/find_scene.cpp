@@ -26,7 +26,9 @@ std::string no_such_scene(const std::string& scene) {
 FoundScene find_scene(const std::string& scene) {
     for (const BuiltinScene& builtin : builtin_scenes())
         if (builtin.name == scene) return {parse_scene(builtin.toml, builtin.name), ""};
-    if (!std::filesystem::exists(scene)) throw std::runtime_error(no_such_scene(scene));
+    std::error_code unknown;
+    if (std::filesystem::status(scene, unknown).type() == std::filesystem::file_type::not_found)
+        throw std::runtime_error(no_such_scene(scene));
     const std::vector<std::uint8_t> bytes = read_file(scene);
     if (!is_png(bytes))
         return {parse_scene({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, scene), ""};

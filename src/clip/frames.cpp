@@ -65,7 +65,7 @@ FrameList::Iterator FrameList::Iterator::operator++(int) {
 FrameList::FrameList(std::vector<Range> ranges) {
     std::ranges::sort(ranges, {}, &Range::first);
     for (const Range& range : ranges) {
-        if (!ranges_.empty() && range.first <= ranges_.back().last + 1)
+        if (!ranges_.empty() && range.first - 1 <= ranges_.back().last)
             ranges_.back().last = std::max(ranges_.back().last, range.last);
         else
             ranges_.push_back(range);

@@ -3,6 +3,7 @@
 #include "clip/csv.h"
 #include "clip/file.h"
 #include "clip/manifest.h"
+#include "scene/words.h"
 
 #include <array>
 #include <bit>
@@ -16,14 +17,25 @@
 namespace ropesim {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some programs begin CSV with it
+
 constexpr std::string_view npy_magic = "\x93NUMPY\x01";  // and a zero byte: version 1.0
 
 static_assert(std::endian::native == std::endian::little, "positions are written as little-endian doubles");
 
+// A rope takes memory in a frame also where it has no masses there.
+bool has_too_many_runs(const Positions& positions, const Scene& scene) {
+    constexpr std::size_t most = std::size_t{1} << 26;
+    return positions.size() * scene.ropes.size() > most;
+}
+constexpr const char* too_many_runs = "found too many ropes in too many frames, expected 2^26 in all at most";
+
 // Reads fields and lines, and knows where it is.
 class CsvReader {
   public:
-    CsvReader(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
+    CsvReader(std::string_view text, std::string_view name) : rest_(text), name_(name) {
+        if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+    }
 
     bool at_end() const { return rest_.empty(); }
 
@@ -59,7 +71,7 @@ class CsvReader {
         Number number{};
         const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
         if (error != std::errc() || end != field.data() + field.size())
-            fail("found '" + std::string(field.substr(0, 40)) + "', expected " + what);
+            fail("found '" + printable(field) + "', expected " + what);
         return number;
     }
 
@@ -91,7 +103,7 @@ class CsvReader {
 std::size_t rope_index(const Scene& scene, const std::string& name, const CsvReader& reader) {
     for (std::size_t i = 0; i < scene.ropes.size(); ++i)
         if (scene.ropes[i].name == name) return i;
-    reader.fail("the scene has no rope '" + name + "'");
+    reader.fail("the scene has no rope '" + printable(name) + "'");
 }
 
 // Every mass of a frame is there once: rows come in the order of nodes, so a gap shows as a wrong node.
@@ -114,6 +126,7 @@ Positions parse_csv(const Scene& scene, std::string_view text, std::string_view 
             frame_number = number;
             rope = rope_index(scene, rope_name, reader);
             frame = &positions[number];
+            if (has_too_many_runs(positions, scene)) reader.fail(too_many_runs);
             frame->resize(scene.ropes.size());
             if ((*frame)[rope].rows() > 0) reader.fail("rope '" + rope_name + "' stands twice in this frame");
             (*frame)[rope].resize(scene.ropes[rope].nodes, 2);
@@ -175,6 +188,7 @@ Positions parse_npy(const Scene& scene, std::string_view bytes, std::string_view
                 throw std::runtime_error(where + "a coordinate of frame " + std::to_string(frame) +
                                          " is not finite");
             positions[frame].resize(scene.ropes.size());
+            if (has_too_many_runs(positions, scene)) throw std::runtime_error(where + too_many_runs);
             positions[frame][rope] = rows;
         }
         bytes.remove_prefix(size);

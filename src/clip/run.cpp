@@ -46,6 +46,7 @@ std::vector<Run> runs(const Scene& scene) {
 }
 
 std::vector<Trajectory> simulate(const Scene& scene, const std::vector<Run>& runs) {
+    check_kept(static_cast<double>(masses(scene)), scene.frames);
     std::vector<Trajectory> trajectories;
     for (const Run& run : runs)
         trajectories.push_back(simulate(run.rope, *run.method, run.stepping, scene.frames));

@@ -5,6 +5,7 @@
 #include "diff/shift.h"
 #include "diff/side.h"
 #include "diff/summary.h"
+#include "scene/words.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,12 @@ double mass_steps(const Scene& scene) {
 }
 
 bool can_simulate(const Side& side) {
-    return side.scene && !side.drawn_from_positions && mass_steps(*side.scene) <= most_mass_steps;
+    if (!side.scene || side.drawn_from_positions) return false;
+    const Scene& scene = *side.scene;
+    const bool is_to_be_planned =
+        std::ranges::find(scene.ropes, auto_method, &SceneRope::method) != scene.ropes.end();
+    return !is_to_be_planned && mass_steps(scene) <= most_mass_steps &&
+           static_cast<double>(masses(scene)) * scene.frames <= most_kept;
 }
 
 Positions simulated(const Scene& scene) {

@@ -15,8 +15,8 @@ std::filesystem::path folder_of(const Comparison& comparison, Which which) {
     return comparison.folders ? path : path.parent_path();
 }
 
-std::string text_of(const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = read_file(path);
+std::string text_of(const std::filesystem::path& path, std::uint64_t largest = largest_file) {
+    const std::vector<std::uint8_t> bytes = read_file(path, largest);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -44,9 +44,9 @@ void read_scene(const Comparison& comparison, Which which, Side& side) {
         read_frame(
             which == Which::expected ? expected_path(comparison, *frame) : actual_path(comparison, *frame),
             side);
-    else if (comparison.folders && std::filesystem::exists(manifest_path(folder)))
+    else if (comparison.folders && std::filesystem::is_regular_file(manifest_path(folder)))
         read_manifest(manifest_path(folder), side);
-    else if (comparison.folders && std::filesystem::exists(folder / "scene.toml"))
+    else if (comparison.folders && std::filesystem::is_regular_file(folder / "scene.toml"))
         side.scene = parse_scene(text_of(folder / "scene.toml"), (folder / "scene.toml").string());
 }
 
@@ -67,9 +67,9 @@ void read_positions(const Comparison& comparison, Which which, Side& side) {
     if (!comparison.folders) return;
     for (const char* name : {"positions.csv", "positions.npy"}) {
         const std::filesystem::path path = folder_of(comparison, which) / name;
-        if (!std::filesystem::exists(path)) continue;
+        if (!std::filesystem::is_regular_file(path)) continue;
         try {
-            side.positions = parse_positions(*side.scene, text_of(path), path.string());
+            side.positions = parse_positions(*side.scene, text_of(path, largest_positions), path.string());
         } catch (const std::runtime_error& error) {
             side.problem = error.what();
         }

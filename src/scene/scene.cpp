@@ -116,6 +116,12 @@ void check_scene(const Scene& scene) {
     }
 }
 
+long masses(const Scene& scene) {
+    long masses = 0;
+    for (const SceneRope& rope : scene.ropes) masses += rope.nodes;
+    return masses;
+}
+
 int steps_per_frame(const Scene& scene, const SceneRope& rope) {
     return rope.steps_per_frame.value_or(scene.steps_per_frame);
 }

@@ -75,6 +75,9 @@ void check_scene(const Scene& scene);
 // parse_scene(to_toml(scene)) is the same scene, and equal scenes give equal texts.
 std::string to_toml(const Scene& scene);
 
+// How many masses the ropes have together.
+long masses(const Scene& scene);
+
 // How many steps per frame a rope is to be advanced by: its own, or the clip's.
 int steps_per_frame(const Scene& scene, const SceneRope& rope);
 

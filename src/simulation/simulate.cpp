@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace ropesim {
 namespace {
@@ -66,6 +68,13 @@ void Summary::add(const Diagnostics& frame) {
 
 double sensible_length(const Rope& rope, double time) {
     return sensible_length(sensible_length(rope), rope, time);
+}
+
+void check_kept(double masses, long frames) {
+    if (masses * static_cast<double>(frames) <= most_kept) return;
+    throw std::runtime_error("the positions of " + std::to_string(static_cast<long>(masses)) + " masses in " +
+                             std::to_string(frames) +
+                             " frames are to be kept in memory, expected fewer than 2^28 in all");
 }
 
 Trajectory simulate(const Rope& rope, const Method& method, const Stepping& stepping, long frames) {

@@ -69,6 +69,12 @@ struct Trajectory {
     Cost cost;                     // of all frames, that of a diverged one included
 };
 
+// Positions of so many masses in so many frames may be kept in memory: 4 GB of them.
+inline constexpr double most_kept = 268'435'456.0;
+
+// Throws std::runtime_error where they would be more.
+void check_kept(double masses, long frames);
+
 // Runs the rope from rest over `frames` frames, frame 0 included.
 Trajectory simulate(const Rope& rope, const Method& method, const Stepping& stepping, long frames);
 

@@ -12,6 +12,7 @@
 namespace ropesim {
 
 Problem problem(const Scene& scene, const SceneRope& description) {
+    check_kept(description.nodes, scene.frames);
     Problem problem;
     problem.rope = make_rope(scene, description);
     problem.model =

@@ -76,6 +76,23 @@ TEST(ReadFile, NamesTheFileThatIsNotThere) {
     }
 }
 
+TEST(ReadFile, RefusesWhatIsTooLargeBeforeItTakesTheMemory) {
+    const TemporaryFolder folder;
+    const std::filesystem::path sparse = folder.path() / "sparse";
+    write_file(sparse, std::string_view("1"));
+    std::filesystem::resize_file(sparse, largest_file + 1);
+    const auto refused = [](const std::filesystem::path& path, std::uint64_t largest) {
+        EXPECT_THAT([&] { read_file(path, largest); },
+                    testing::ThrowsMessage<std::runtime_error>(HasSubstr("expected at most ")));
+    };
+    refused(sparse, largest_file);
+    refused("/dev/zero", 1'000'000);
+    EXPECT_EQ(read_file("/dev/null", 0).size(), 0u);
+    std::filesystem::resize_file(sparse, 1000);
+    EXPECT_EQ(read_file(sparse, 1000).size(), 1000u);
+    refused(sparse, 999);
+}
+
 // The name that a process of this machine gives its temporary file, found by watching one that is at it.
 std::string temporary_name(pid_t process) {
     std::string host(64, '\0');

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 namespace ropesim {
 namespace {
 
@@ -26,6 +28,11 @@ TEST(FrameList, IsEachNumberOnceAndAscending) {
     EXPECT_THAT(FrameList(std::vector<FrameList::Range>{{5, 9}, {0, 2}, {6, 7}, {3, 3}}),
                 ElementsAre(0, 1, 2, 3, 5, 6, 7, 8, 9));
     EXPECT_THAT(FrameList(), IsEmpty());
+}
+
+TEST(FrameList, GoesUpToTheLastNumberThereIs) {
+    constexpr long last = std::numeric_limits<long>::max();
+    EXPECT_EQ(FrameList({last, 3, last}).ranges(), (std::vector<FrameList::Range>{{3, 3}, {last, last}}));
 }
 
 TEST(FrameList, KnowsWhatItHolds) {

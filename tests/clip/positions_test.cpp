@@ -138,6 +138,39 @@ TEST(PositionsCsv, RefusesWithFileAndLine) {
     EXPECT_THAT(refusal(scene, begin + "0,a,1,1,2\n0,a,0,1,2\n0,a,1,1,2\n"), HasSubstr("stands twice"));
 }
 
+TEST(PositionsCsv, ReadsFilesThatBeginWithAByteOrderMark) {
+    const Scene scene = scene_of({{"a", 2}});
+    const Positions positions = parse_positions(scene,
+                                                "\xef\xbb\xbf"
+                                                "frame,rope,node,x,y\n0,a,0,1,2\n0,a,1,3,4\n",
+                                                "csv");
+    EXPECT_EQ(positions.at(0)[0](1, 1), 4.0);
+}
+
+TEST(PositionsCsv, RefusesNumbersBeyondDoubles) {
+    const Scene scene = scene_of({{"a", 2}});
+    for (const std::string number : {"1e400", "-1e400", "inf", "nan", "", "1,5", "0x1p3", "1.5 ", "+1"})
+        EXPECT_NE(refusal(scene, "frame,rope,node,x,y\n0,a,0,1," + number + "\n0,a,1,3,4\n"), "") << number;
+    EXPECT_EQ(refusal(scene, "frame,rope,node,x,y\n0,a,0,-0,5e-324\n0,a,1,1e308,-1e-310\n"), "");
+}
+
+TEST(PositionsCsv, DoesNotEchoWhatATerminalWouldObey) {
+    const Scene scene = scene_of({{"a", 2}});
+    EXPECT_THAT(refusal(scene, "frame,rope,node,x,y\n0,\x1b[31m,0,1,2\n"), HasSubstr("no rope '\\x1b[31m'"));
+    EXPECT_THAT(refusal(scene, "frame,rope,node,x,y\n0,a,0,1,\x1b[31m\n"), HasSubstr("found '\\x1b[31m'"));
+}
+
+// A hundred bytes a frame would take 24 MB of memory each.
+TEST(Positions, RefuseMoreRopesInMoreFramesThanMemoryHolds) {
+    Scene scene = scene_of(std::vector<std::pair<std::string, int>>(1 << 20, {"a", 2}));
+    scene.frames = 1000;
+    std::string csv = "frame,rope,node,x,y\n";
+    for (int frame = 0; frame < 100; ++frame)
+        for (int node = 0; node < 2; ++node)
+            csv += std::to_string(frame) + ",a," + std::to_string(node) + ",0,0\n";
+    EXPECT_THAT(refusal(scene, csv), HasSubstr("swing.csv:130: found too many ropes in too many frames"));
+}
+
 TEST(PositionsNpy, ReadsBackAsTheSameBits) {
     const Scene scene = scene_of({{"a", 3}, {"b", 1000}});
     const Positions positions = random_positions(scene, 7);

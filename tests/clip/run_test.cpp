@@ -56,6 +56,16 @@ TEST(StabilityWarnings, AreSilentWhereLinksKeepTheirLength) {
     EXPECT_THAT(warnings(seed_with(1, "constraint_projection")), IsEmpty());
 }
 
+// 100,000 frames of a million masses would take 1.6 TB.
+TEST(Simulate, RefusesToKeepMoreThanMemoryHolds) {
+    Scene scene = seed_with(64, "stormer_verlet");
+    scene.frames = 100'000;
+    scene.ropes[0].nodes = 1'000'000;
+    EXPECT_THAT([&] { simulate(scene, {}); },
+                testing::ThrowsMessage<std::runtime_error>(
+                    HasSubstr("1000000 masses in 100000 frames are to be kept in memory")));
+}
+
 TEST(Divergence, SaysWhichRopeMethodFrameAndWhy) {
     const Scene scene = seed_with(8, "symplectic_euler");
     EXPECT_EQ(divergence(scene, runs(scene)[0], 42),

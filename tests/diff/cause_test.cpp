@@ -11,6 +11,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -213,6 +215,27 @@ TEST_F(Causes, AreChaosWhereNobodyCanPredictTheMotion) {
         EXPECT_EQ(status(comparison), early ? 3 : 0);
         EXPECT_EQ(comparison.frames.back().verdict, Verdict::chaos);
     }
+}
+
+// What takes the place of positions.csv would keep the reader for ever, or never end.
+TEST_F(Causes, LookOnlyIntoRegularFiles) {
+    render("expected", fall);
+    Scene heavier = fall;
+    heavier.gravity = {0.0, -2.0};
+    render("actual", heavier);
+    ASSERT_EQ(::mkfifo((temporary.path() / "actual" / "positions.csv").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", temporary.path() / "expected" / "positions.csv");
+    EXPECT_THAT(found().kinds, ElementsAre("scene", "motion"));
+}
+
+TEST_F(Causes, LeaveOutTheMotionOfRopesThatWereToBePlanned) {
+    render("expected", fall);
+    Scene planned = fall;
+    planned.ropes[0].method = auto_method;
+    planned.gravity = {0.0, -2.0};
+    render("actual", planned, simulated(fall));
+    EXPECT_THAT(found().kinds, Contains("scene"));
+    EXPECT_FALSE(found().motion.first);
 }
 
 TEST_F(Causes, NameRopesOfOtherNodes) {

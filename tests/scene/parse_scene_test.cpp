@@ -222,6 +222,24 @@ TEST(ParseScene, PointsAtWhatIsNoToml) {
     EXPECT_THAT(refusal(std::string(1, '\0')), StartsWith("a.toml:1:"));
 }
 
+// As deep as this, toml++ would overflow the stack when it lets go of the tables.
+TEST(ParseScene, RefusesKeysOfAMillionParts) {
+    std::string key = "a";
+    for (int i = 1; i < 1'000'000; ++i) key += ".a";
+    const std::string place = "a.toml:1:";
+    EXPECT_THAT(refusal("[" + key + "]\n" + rope), AllOf(StartsWith(place), HasSubstr("100 parts")));
+    EXPECT_THAT(refusal(key + " = 1\n" + rope), AllOf(StartsWith(place), HasSubstr("100 parts")));
+    EXPECT_THAT(refusal("x = { " + key + " = 1 }\n" + rope),
+                AllOf(StartsWith(place), HasSubstr("100 parts")));
+}
+
+// The ropes behind the one that is too much are not looked at.
+TEST(ParseScene, RefusesARopeTooMuchAtOnce) {
+    std::string ropes;
+    for (int i = 0; i < 1000; ++i) ropes += "[[rope]]\nstart = [0, 0]\nend = [1e6, 0]\nnodes = 1000000\n";
+    expect_refusal(ropes + "[[rope]]\n", "44:9", "11000000 together", "10000000");
+}
+
 // A file with a few bytes changed, lost or doubled is read or refused with its place, and nothing else.
 TEST(ParseScene, SurvivesDamagedFiles) {
     std::mt19937 engine(1);

@@ -37,7 +37,7 @@ constexpr std::array<Row, 10> rows{{
 constexpr int wrong_usage = 2;
 
 int complain(const std::string& message) {
-    std::fprintf(stderr, "ropesim: %s\n", message.c_str());
+    std::fprintf(stderr, "ropesim: %s\n", ropesim::one_line(message).c_str());
     return 1;
 }
 
@@ -62,6 +62,16 @@ std::vector<std::string> reversed_arguments(int count, char** values) {
     return {arguments.rbegin(), arguments.rend()};
 }
 
+// An empty value is a script's variable that was not set, and not a wish for the default.
+std::string problem_of_value(const std::string& value) {
+    return value.empty() ? "is empty, expected a value" : "";
+}
+
+void refuse_empty_values(CLI::App& command) {
+    for (CLI::Option* option : command.get_options())
+        if (option->get_items_expected_max() > 0) option->check(problem_of_value);
+}
+
 void set_up(CLI::App& app) {
     app.name("ropesim");
     app.set_version_flag("--version", ropesim::version());
@@ -80,6 +90,7 @@ int run(int count, char** values) {
         CLI::App* command = app.add_subcommand(row.name, row.summary);
         command->set_help_flag("-h,--help", "say how it is used");
         commands.push_back(row.make(*command));
+        refuse_empty_values(*command);
     }
     std::vector<std::string> arguments = reversed_arguments(count, values);
     std::string see = "ropesim --help";

@@ -227,7 +227,7 @@ Positions parse_positions(const Scene& scene, std::string_view bytes, std::strin
 }
 
 PositionsFile read_positions(const Scene& scene, const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = read_file(path);
+    const std::vector<std::uint8_t> bytes = read_file(path, largest_positions);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return {parse_positions(scene, text, path.string()), digest(text)};
 }

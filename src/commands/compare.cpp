@@ -12,6 +12,7 @@
 #include "compare/compared_scene.h"
 #include "compare/comparison_chart.h"
 #include "compare/comparison_painter.h"
+#include "scene/words.h"
 #include "study/method_error.h"
 #include "study/plan.h"
 
@@ -214,7 +215,7 @@ int compare(const CompareOptions& options) {
     if (options.truth) say_what_is_true(as_written, scene, options.choice);
     if (const std::string line = error_line(simulation); !line.empty()) std::printf("%s\n", line.c_str());
     std::printf("%s, chart and numbers (comparison.csv) in %s\n", as_strip ? "strip.png" : "frames",
-                options.folder.c_str());
+                one_line(options.folder).c_str());
     return 0;
 }
 

@@ -3,6 +3,7 @@
 #include "clip/file.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "scene/words.h"
 #include "study/timing.h"
 
 #include <CLI/CLI.hpp>
@@ -129,7 +130,7 @@ int plan_scene(const PlanOptions& options) {
                                  std::string(options.file.empty() ? "" : "; nothing was written"));
     if (options.file.empty()) return 0;
     write_file(options.file, to_toml(scene));
-    std::printf("written to %s\n", options.file.c_str());
+    std::printf("written to %s\n", one_line(options.file).c_str());
     return 0;
 }
 

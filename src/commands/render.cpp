@@ -6,6 +6,7 @@
 #include "clip/video.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "scene/words.h"
 #include "study/plan.h"
 
 #include <CLI/CLI.hpp>
@@ -87,7 +88,7 @@ void set_size(Scene& scene, const std::string& text) {
 }
 
 void warn(bool quiet, const std::string& sentence) {
-    if (!quiet) std::fprintf(stderr, "ropesim: %s\n", sentence.c_str());
+    if (!quiet) std::fprintf(stderr, "ropesim: %s\n", one_line(sentence).c_str());
 }
 
 // Reads the file; takes every frame that it holds where none are asked for.
@@ -117,8 +118,8 @@ bool report_divergence(const Scene& scene, const Simulation& simulation, bool qu
 void report_done(const ClipResult& result, const std::string& folder, double seconds, bool quiet) {
     for (const std::string& note : result.notes) warn(quiet, note);
     if (quiet) return;
-    std::printf("%ld frame%s in %s%s, %.2f s", result.written, result.written == 1 ? "" : "s", folder.c_str(),
-                folder.ends_with('/') ? "" : "/", seconds);
+    std::printf("%ld frame%s in %s%s, %.2f s", result.written, result.written == 1 ? "" : "s",
+                one_line(folder).c_str(), folder.ends_with('/') ? "" : "/", seconds);
     if (result.written > 0)
         std::printf(" (%.0f frames per second)", static_cast<double>(result.written) / seconds);
     if (result.kept > 0) std::printf("; %ld were there already", result.kept);

@@ -6,6 +6,7 @@
 #include "commands/failure_sheet.h"
 #include "commands/scene_options.h"
 #include "image/png.h"
+#include "scene/words.h"
 #include "study/failures.h"
 #include "study/stability.h"
 #include "study/work_precision.h"
@@ -143,7 +144,7 @@ int stability(const StudyOptions& options) {
     write_file(folder / "stability.csv", to_csv(map, version() + "; " + about));
     draw_chart(folder, "stability", stability_script(map, "Stability, " + about));
     std::printf("chart stability.png (and .svg), numbers stability.csv, pictures failures.png in %s\n",
-                options.folder.c_str());
+                one_line(options.folder).c_str());
     return 0;
 }
 
@@ -167,7 +168,7 @@ int work_precision(const StudyOptions& options) {
                work_precision_script(study, Work::count, "work_count", "Work-precision, " + about));
     say_cheapest(study);
     std::printf("charts work_precision.png, work_count.png (and .svg), numbers work_precision.csv in %s\n",
-                options.folder.c_str());
+                one_line(options.folder).c_str());
     return 0;
 }
 

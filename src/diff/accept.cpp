@@ -3,6 +3,7 @@
 #include "clip/file.h"
 #include "diff/summary.h"
 #include "image/png.h"
+#include "scene/words.h"
 
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 #include "diff/machine.h"
 
 #include "diff/summary.h"
+#include "scene/words.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,6 +4,7 @@
 #include "diff/summary.h"
 #include "image/png.h"
 #include "report_files.h"
+#include "scene/words.h"
 
 #include <nlohmann/json.hpp>
 

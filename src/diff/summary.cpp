@@ -1,8 +1,8 @@
 #include "diff/summary.h"
 
+#include "scene/words.h"
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace ropesim {
 namespace {
@@ -53,35 +53,7 @@ std::string all_pass(const Comparison& comparison) {
     return text;
 }
 
-// How many bytes of UTF-8 the control character has that the text begins with; 0 where it begins with none.
-// U+0080 to U+009F begin with the byte c2.
-std::size_t control_bytes(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text[0]);
-    if (first < 0x20 || first == 0x7f) return 1;
-    const auto second = static_cast<unsigned char>(text.size() > 1 ? text[1] : 0);
-    return first == 0xc2 && 0x80 <= second && second < 0xa0 ? 2 : 0;
-}
-
-std::string escaped(char byte) {
-    std::array<char, 5> escape;
-    std::snprintf(escape.data(), escape.size(), "\\x%02x", static_cast<unsigned char>(byte));
-    return escape.data();
-}
-
 }  // namespace
-
-std::string one_line(std::string_view text) {
-    std::string line;
-    for (; !text.empty(); text.remove_prefix(1)) {
-        const std::size_t control = control_bytes(text);
-        for (std::size_t i = 0; i < control; ++i) line += escaped(text[i]);
-        if (control == 0)
-            line += text.front();
-        else
-            text.remove_prefix(control - 1);
-    }
-    return line;
-}
 
 std::string ranges(const std::vector<const FrameComparison*>& frames, std::size_t most) {
     std::string text;

@@ -24,7 +24,4 @@ std::string headline(const Comparison& comparison);
 // One line per frame that does not pass, at most `most` of them, then ranges of the others.
 std::string frame_lines(const Comparison& comparison, std::size_t most = 20);
 
-// The text on one line of a terminal: control characters as \x1b.
-std::string one_line(std::string_view text);
-
 }  // namespace ropesim

@@ -66,6 +66,20 @@ std::string escaped(std::string_view bytes) {
     return result;
 }
 
+std::string fit_for_a_message(std::string_view text, std::size_t longest) {
+    std::string result;
+    std::size_t shown = 0;
+    while (shown < text.size()) {
+        const std::string_view rest = text.substr(shown);
+        const auto character = first_character(rest);
+        const std::string_view bytes = rest.substr(0, character ? character->bytes : 1);
+        if (shown + bytes.size() > longest) return result + "...";
+        result += character && !is_control(character->code) ? std::string(bytes) : escaped(bytes);
+        shown += bytes.size();
+    }
+    return result;
+}
+
 }  // namespace
 
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known) {
@@ -82,17 +96,11 @@ std::string suggestion(std::string_view word, const std::vector<std::string_view
 }
 
 std::string printable(std::string_view text) {
-    std::string result;
-    std::size_t shown = 0;
-    while (shown < text.size()) {
-        const std::string_view rest = text.substr(shown);
-        const auto character = first_character(rest);
-        const std::string_view bytes = rest.substr(0, character ? character->bytes : 1);
-        if (shown + bytes.size() > longest_shown) return result + "...";
-        result += character && !is_control(character->code) ? std::string(bytes) : escaped(bytes);
-        shown += bytes.size();
-    }
-    return result;
+    return fit_for_a_message(text, longest_shown);
+}
+
+std::string one_line(std::string_view text) {
+    return fit_for_a_message(text, text.size());
 }
 
 bool is_plain(std::string_view text) {

@@ -10,8 +10,10 @@ namespace ropesim {
 // letters must be inserted, deleted, replaced or swapped with their neighbour (optimal string alignment).
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known);
 
-// The text with control characters and bytes that are not UTF-8 written as \n, \x1b, ..., and cut after 60
-// bytes, between characters: fit for a message.
+// The text with control characters and bytes that are not UTF-8 written as \n, \x1b, ...: fit for a terminal.
+std::string one_line(std::string_view text);
+
+// The same, cut after 60 bytes, between characters: fit to stand in a message.
 std::string printable(std::string_view text);
 
 // Whether a text is UTF-8 without control characters.

@@ -41,6 +41,12 @@ TEST(Printable, EscapesBytesThatAreNotUtf8AndTheUpperControls) {
     EXPECT_EQ(printable("\xc2\x85"), "\\xc2\\x85");           // U+0085, next line
 }
 
+TEST(OneLine, IsWholeAndEscapesWhatWouldBreakIt) {
+    EXPECT_EQ(one_line("a\nb\x1b[2J\x7f"), "a\\nb\\x1b[2J\\x7f");
+    EXPECT_EQ(one_line("Störmer \xc2\x9b"), "Störmer \\xc2\\x9b") << "a control character of two bytes";
+    EXPECT_EQ(one_line(std::string(1000, 'x')), std::string(1000, 'x'));
+}
+
 TEST(Printable, CutsBetweenCharacters) {
     std::string umlauts;
     for (int i = 0; i < 40; ++i) umlauts += "\u00e4";

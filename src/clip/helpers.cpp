@@ -1,6 +1,7 @@
 #include "clip/helpers.h"
 
 #include "clip/interrupt.h"
+#include "scene/words.h"
 
 #include <poll.h>
 #include <sys/prctl.h>
@@ -121,7 +122,7 @@ void draw_what_comes(int socket, const DrawFrame& draw) {
     } catch (const Interrupted& interrupted) {
         status = 128 + interrupted.signal;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "ropesim: %s\n", error.what());
+        std::fprintf(stderr, "ropesim: %s\n", one_line(error.what()).c_str());
         status = 1;
     }
     std::fflush(nullptr);

@@ -124,14 +124,14 @@ std::string fault_lines(const std::filesystem::path& folder, const Verification&
     const auto end = faults.begin() + static_cast<std::ptrdiff_t>(std::min(most, faults.size()));
     std::string text;
     for (auto fault = faults.begin(); fault != end; ++fault) {
-        text += (folder / name(fault->frames.first)).string();
+        text += one_line((folder / name(fault->frames.first)).string());
         if (fault->frames.last > fault->frames.first) text += " to " + name(fault->frames.last);
-        text += ": " + fault->what + "\n";
+        text += ": " + one_line(fault->what) + "\n";
     }
     if (end != faults.end())
         text += "and " + std::to_string(frames_with_faults(end, faults.end())) + " more frames\n";
     for (const std::filesystem::path& stray : verification.strays)
-        text += stray.string() + ": a temporary file that no process of this machine is writing\n";
+        text += one_line(stray.string()) + ": a temporary file that no process of this machine is writing\n";
     return text;
 }
 

@@ -87,7 +87,7 @@ class StatusLine {
 // "scene seed, rope 'Euler': 16 masses, elastic, 120 frames"
 std::string subject(const StudyOptions& options, const Scene& scene, const SceneRope& rope,
                     const Problem& problem) {
-    return "scene " + std::filesystem::path(options.scene.scene).filename().string() + ", rope '" +
+    return "scene " + one_line(std::filesystem::path(options.scene.scene).filename().string()) + ", rope '" +
            rope.name + "': " + std::to_string(rope.nodes) + " masses, " + std::string(name(problem.model)) +
            ", " + std::to_string(scene.frames) + " frames";
 }

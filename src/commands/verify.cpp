@@ -54,8 +54,8 @@ void say_what_is_wrong(const VerifyOptions& options, const Verification& verific
     if (options.quiet) return;
     std::fputs(fault_lines(options.folder, verification, screenful).c_str(), stdout);
     if (!verification.unnamed.empty())
-        std::printf("%s also holds frames that its clip.json does not name: %s\n", options.folder.c_str(),
-                    to_string(verification.unnamed).c_str());
+        std::printf("%s also holds frames that its clip.json does not name: %s\n",
+                    one_line(options.folder).c_str(), to_string(verification.unnamed).c_str());
 }
 
 // The positions that the clip was drawn from; none where it was simulated.
@@ -110,7 +110,7 @@ int verify(const VerifyOptions& options) {
     if (!faulty.empty())
         std::printf("rendered %s anew: %s\n", counted(faulty.size()).c_str(), to_string(faulty).c_str());
     std::printf("%s in %s: all there, whole and of one clip\n", counted(frames).c_str(),
-                options.folder.c_str());
+                one_line(options.folder).c_str());
     return 0;
 }
 

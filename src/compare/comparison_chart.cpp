@@ -2,6 +2,7 @@
 
 #include "compare/compared_scene.h"
 #include "comparison_scripts.h"
+#include "scene/words.h"
 
 #include <algorithm>
 #include <array>
@@ -10,14 +11,6 @@
 
 namespace ropesim {
 namespace {
-
-// In gnuplot's quotes nothing but they themselves means anything.
-std::string in_quotes(std::string_view text) {
-    std::string result(1, '\'');
-    for (const char character : text) result.append(character == '\'' ? 2 : 1, character);
-    result.push_back('\'');
-    return result;
-}
 
 // Whole decades about all distances that are not zero.
 std::string range(const Parting& parting) {
@@ -43,8 +36,10 @@ std::string comparison_script(const Scene& scene, const Parting& parting) {
     std::string script = "# To draw the chart again: gnuplot comparison.gp\nruns = " + count +
                          "\narray label[" + count + "]\n";
     for (std::size_t i = 1; i < scene.ropes.size(); ++i)
-        script += "label[" + std::to_string(i) + "] = " + in_quotes(label(scene, scene.ropes[i])) + "\n";
-    script += "first = " + in_quotes(label(scene, scene.ropes.front())) + "\n" + range(parting) + "\n";
+        script +=
+            "label[" + std::to_string(i) + "] = " + in_gnuplot_quotes(label(scene, scene.ropes[i])) + "\n";
+    script +=
+        "first = " + in_gnuplot_quotes(label(scene, scene.ropes.front())) + "\n" + range(parting) + "\n";
     return script + std::string(comparison_scripts().front().second);
 }
 

@@ -103,6 +103,12 @@ std::string one_line(std::string_view text) {
     return fit_for_a_message(text, text.size());
 }
 
+std::string in_gnuplot_quotes(std::string_view text) {
+    std::string result(1, '\'');
+    for (const char c : text) result.append(c == '\'' ? 2 : 1, c);
+    return result + '\'';
+}
+
 bool is_plain(std::string_view text) {
     while (!text.empty()) {
         const auto character = first_character(text);

@@ -16,6 +16,9 @@ std::string one_line(std::string_view text);
 // The same, cut after 60 bytes, between characters: fit to stand in a message.
 std::string printable(std::string_view text);
 
+// The text as gnuplot takes it to the letter: in single quotes, where neither ` nor \ nor " means anything.
+std::string in_gnuplot_quotes(std::string_view text);
+
 // Whether a text is UTF-8 without control characters.
 bool is_plain(std::string_view text);
 

@@ -1,4 +1,5 @@
 #include "chart_scripts.h"
+#include "scene/words.h"
 #include "study/stability.h"
 
 #include <array>
@@ -59,10 +60,10 @@ bool limited(const StabilityMap& map, const Method& method) {
 
 std::string stability_script(const StabilityMap& map, const std::string& heading) {
     const std::size_t panels = map.methods.size();
-    const auto name_of = [&](std::size_t i) { return '"' + std::string(map.methods[i]->name) + '"'; };
+    const auto name_of = [&](std::size_t i) { return in_gnuplot_quotes(map.methods[i]->name); };
     return "# To draw the chart again: gnuplot stability.gp\ndata = \"stability.csv\"\nagainst = \"" +
-           std::string(name(map.against)) + "\"\nheading = \"" + heading +
-           "\"\npanels = " + std::to_string(panels) + "\n" + array("method", panels, name_of) +
+           std::string(name(map.against)) + "\"\nheading = " + in_gnuplot_quotes(heading) +
+           "\npanels = " + std::to_string(panels) + "\n" + array("method", panels, name_of) +
            array("limited", panels,
                  [&](std::size_t i) { return limited(map, *map.methods[i]) ? "1" : "0"; }) +
            "steps = " + std::to_string(map.steps.size()) + "\nvalues = " + std::to_string(map.values.size()) +

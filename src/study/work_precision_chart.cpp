@@ -1,6 +1,7 @@
 #include "study/work_precision_chart.h"
 
 #include "chart_scripts.h"
+#include "scene/words.h"
 
 #include <algorithm>
 #include <array>
@@ -78,10 +79,6 @@ bool ours(const Curve& curve) {
     return curve.contender.library.empty();
 }
 
-std::string quoted(const std::string& words) {
-    return '"' + words + '"';
-}
-
 // A gnuplot array with an entry for each curve.
 std::string array(const char* name, const std::vector<const Curve*>& curves,
                   const std::function<std::string(const Curve&)>& entry) {
@@ -115,20 +112,23 @@ std::string work_precision_script(const WorkPrecision& study, Work work, const s
                                   const std::string& heading) {
     const std::vector<const Curve*> curves = ranked(study, work);
     std::string script = "# To draw the chart again: gnuplot " + name + ".gp\n";
-    script += "data = \"work_precision.csv\"\nname = " + quoted(name) + "\nheading = " + quoted(heading) +
-              "\nby_count = " + (work == Work::count ? "1" : "0") +
-              "\nframes = " + std::to_string(study.problem.frames - 1) +
-              "\ntruth = " + text(study.truth.error) + "\n" + ranges(study, work) +
-              "curves = " + std::to_string(curves.size()) + "\n";
+    script +=
+        "data = \"work_precision.csv\"\nname = " + in_gnuplot_quotes(name) +
+        "\nheading = " + in_gnuplot_quotes(heading) + "\nby_count = " + (work == Work::count ? "1" : "0") +
+        "\nframes = " + std::to_string(study.problem.frames - 1) + "\ntruth = " + text(study.truth.error) +
+        "\n" + ranges(study, work) + "curves = " + std::to_string(curves.size()) + "\n";
     // By its place in the table, so that a method looks the same in every chart.
     const auto row = [&](const Curve& curve) {
         return static_cast<std::size_t>(&curve - study.curves.data());
     };
-    script += array("library", curves, [](const Curve& curve) { return quoted(curve.contender.library); });
-    script += array("method", curves, [](const Curve& curve) { return quoted(curve.contender.name); });
-    script += array("label", curves, [](const Curve& curve) { return quoted(label(curve.contender)); });
+    script += array("library", curves,
+                    [](const Curve& curve) { return in_gnuplot_quotes(curve.contender.library); });
+    script +=
+        array("method", curves, [](const Curve& curve) { return in_gnuplot_quotes(curve.contender.name); });
+    script +=
+        array("label", curves, [](const Curve& curve) { return in_gnuplot_quotes(label(curve.contender)); });
     script += array("color", curves, [&](const Curve& curve) {
-        return quoted(ours(curve) ? colors[row(curve) % colors.size()] : gray);
+        return in_gnuplot_quotes(ours(curve) ? colors[row(curve) % colors.size()] : gray);
     });
     script += array("mark", curves, [&](const Curve& curve) {
         return std::to_string((ours(curve) ? full_marks : hollow_marks)[row(curve) % full_marks.size()]);

@@ -3,6 +3,7 @@
 
 #include "clip/file.h"
 #include "clip/manifest.h"
+#include "clip/process.h"
 #include "clip/temporary_folder.h"
 #include "commands/program.h"
 #include "scene/scene.h"
@@ -187,6 +188,44 @@ TEST_F(BadInput, AsMoreThanMemoryHolds) {
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
              {"plan", "long.toml", "--tolerance", "1"}, {"study", "work-precision", "long.toml"}})
         expect_refused(arguments, "1000 masses in 10000000 frames are to be kept in memory");
+}
+
+// Whatever it is called and says: it is written to the letter, and nothing is run or written elsewhere.
+TEST_F(BadInput, AsAStrangersSceneThatCanOnlyMakePictures) {
+    if (!is_installed("ffmpeg") || !is_installed("gnuplot")) GTEST_SKIP() << "no ffmpeg, or no gnuplot";
+    Scene scene = parse_scene(rope + "nodes = 2\n" + rope, "rope");
+    scene.frames = 3;
+    scene.title = "../../t`touch pwned`";
+    scene.ropes[0].name =
+        "../../a`touch pwned`'.system('touch pwned').'\"; system(\"touch pwned\"); b=\"$(touch pwned);"
+        "touch pwned #|touch pwned\\%s%n@pwned<script>{/Symbol x}";
+    scene.ropes[1].name = "/tmp/pwned";
+    const std::string file = "-y`touch pwned`'\"$(touch pwned).toml";
+    std::filesystem::create_directories(temporary.path() / "away" / "from");
+    write("away/from/" + file, to_toml(scene));
+    const std::set<std::string> before = files();
+    const std::string methods = "explicit_euler,symplectic_euler";
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"render", "--video", "out/-y`touch pwned`.mp4"},
+             {"simulate"},
+             {"compare", "--methods", methods, "--overwrite"},
+             {"compare", "--methods", methods, "--layout", "strip", "--overwrite"},
+             {"study", "stability", "--methods", "explicit_euler"},
+             {"study", "work-precision", "--methods", methods}}) {
+        ++tried;
+        std::vector<std::string> all = arguments;
+        all.insert(all.end(), {"-o", all[0] == "simulate" ? "out/a.csv" : "out", "./away/from/" + file});
+        const Outcome outcome = ropesim(temporary.path(), all);
+        EXPECT_EQ(outcome.status, 0) << all[0] << outcome.err;
+    }
+    for (const std::string& made : files()) {
+        const std::string name = std::filesystem::relative(made, temporary.path());
+        EXPECT_TRUE(before.contains(made) || name == "out" || name.starts_with("out/")) << name;
+        EXPECT_FALSE(name.find("pwned") != name.npos && !before.contains(made) &&
+                     !name.ends_with("-y`touch pwned`.mp4"))
+            << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists("/tmp/pwned"));
 }
 
 class GoodInput : public testing::Test {

@@ -47,6 +47,11 @@ TEST(OneLine, IsWholeAndEscapesWhatWouldBreakIt) {
     EXPECT_EQ(one_line(std::string(1000, 'x')), std::string(1000, 'x'));
 }
 
+TEST(InGnuplotQuotes, IsWhateverItIsToTheLetter) {
+    EXPECT_EQ(in_gnuplot_quotes("a`b`\\\"$c"), "'a`b`\\\"$c'");
+    EXPECT_EQ(in_gnuplot_quotes("'.system('true').'"), "'''.system(''true'').'''");
+}
+
 TEST(Printable, CutsBetweenCharacters) {
     std::string umlauts;
     for (int i = 0; i < 40; ++i) umlauts += "\u00e4";

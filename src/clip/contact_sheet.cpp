@@ -10,29 +10,31 @@ constexpr Color line = {96, 96, 96};
 
 }  // namespace
 
+Image contact_sheet(const std::vector<Image>& cells, std::size_t columns, Color background) {
+    const int width = cells.front().width;
+    const int height = cells.front().height;
+    const auto rows = static_cast<int>((cells.size() + columns - 1) / columns);
+    Image sheet = filled(static_cast<int>(columns) * (width + gap) - gap, rows * (height + gap) - gap, line);
+    const Image empty = filled(width, height, background);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rows) * columns; ++i)
+        paste(i < cells.size() ? cells[i] : empty, sheet, static_cast<int>(i % columns) * (width + gap),
+              static_cast<int>(i / columns) * (height + gap));
+    return sheet;
+}
+
 Image contact_sheet(const std::vector<std::vector<SheetCell>>& rows, int width, int height,
                     const Camera& camera, Color background) {
     std::size_t longest = 0;
     for (const auto& row : rows) longest = std::max(longest, row.size());
-    const auto columns = static_cast<int>(longest);
-    Image sheet =
-        filled(columns * (width + gap) - gap, static_cast<int>(rows.size()) * (height + gap) - gap, line);
-    const Image empty = filled(width, height, background);
-    for (int row = 0; row < static_cast<int>(rows.size()); ++row) {
-        const std::vector<SheetCell>& cells = rows[static_cast<std::size_t>(row)];
-        for (int column = 0; column < columns; ++column) {
-            const int left = column * (width + gap);
-            const int top = row * (height + gap);
-            if (column >= static_cast<int>(cells.size())) {
-                paste(empty, sheet, left, top);
-                continue;
-            }
-            const SheetCell& cell = cells[static_cast<std::size_t>(column)];
+    std::vector<Image> cells;
+    for (const auto& row : rows) {
+        for (const SheetCell& cell : row) {
             Renderer renderer(width, height, camera, background, cell.words);
-            paste(renderer.draw(cell.ropes), sheet, left, top);
+            cells.push_back(renderer.draw(cell.ropes));
         }
+        cells.resize(cells.size() + longest - row.size(), filled(width, height, background));
     }
-    return sheet;
+    return contact_sheet(cells, longest, background);
 }
 
 }  // namespace ropesim

@@ -18,4 +18,7 @@ struct SheetCell {
 Image contact_sheet(const std::vector<std::vector<SheetCell>>& rows, int width, int height,
                     const Camera& camera, Color background);
 
+// The same of pictures that are there, all of one size, row by row of so many columns.
+Image contact_sheet(const std::vector<Image>& cells, std::size_t columns, Color background);
+
 }  // namespace ropesim

@@ -159,7 +159,7 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     FrameWriter writer(scene, options);
     const auto wanted = [&](long frame) { return options.shard.contains(frame); };
     long left = std::ranges::count_if(options.frames, wanted);
-    Progress progress(left, options.show_progress);
+    Progress progress(left, "frames", options.show_progress);
     Helpers helpers(options.jobs ? *options.jobs - 1 : most_helpers(left),
                     [&](long frame, const auto& at) { writer.write(frame, at); });
     int at_work = options.jobs ? helpers.count() : 0;
@@ -169,7 +169,7 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
         --left;
         if (options.existing == Existing::resume && writer.has_written(frame)) {
             ++result.kept;
-            progress.frame_kept();
+            progress.kept();
             continue;
         }
         if (!given) advance_to(frame, simulation);
@@ -178,10 +178,10 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
             const auto start = std::chrono::steady_clock::now();
             writer.write(frame, positions);
             pace.add_frame(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-            progress.frames_done(1);
+            progress.done(1);
             at_work = std::max(at_work, pace.worthwhile_helpers(left));
         }
-        progress.frames_done(helpers.drawn());
+        progress.done(helpers.drawn());
         ++result.written;
     }
     if (!given) advance_to(scene.frames - 1, simulation);

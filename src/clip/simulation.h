@@ -18,8 +18,9 @@ namespace ropesim {
 // then. Holds one frame, however long the clip. Looks at the scene, which must outlive it.
 class Simulation {
   public:
-    // Estimating errors takes a second and a third run of each rope.
-    enum class Errors { estimated, left_out };
+    // Estimating errors takes a second and a third run of each rope: where it may take more than a tenth of
+    // the clip's time, or less, or not at all.
+    enum class Errors { always, estimated, left_out };
     Simulation(const Scene& scene, Errors errors);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
@@ -35,6 +36,8 @@ class Simulation {
     const std::vector<Diagnostics>& diagnostics() const { return diagnostics_; }
     // ... what they went through up to it, ...
     const std::vector<Summary>& summaries() const { return summaries_; }
+    // ... what that took, ...
+    const Cost& cost(std::size_t rope) const { return moving_[rope].cost(); }
     // ... and the frame that each did not reach.
     std::optional<long> diverged(std::size_t rope) const { return moving_[rope].diverged(); }
 
@@ -45,7 +48,7 @@ class Simulation {
 
   private:
     void look();
-    void begin_errors(const Scene& scene);
+    void begin_errors(const Scene& scene, Errors errors);
 
     long frame_ = 0;
     std::vector<Run> runs_;

@@ -96,13 +96,13 @@ Verification verify_clip(const std::filesystem::path& folder, int threads, bool 
     constexpr std::size_t at_once = 1024;  // frames whose faults are kept apart
     Verification verification{manifest_of(folder), {}, {}, stray_temporaries(folder)};
     const FrameList& named = verification.manifest.frames;
-    Progress progress(static_cast<long>(named.size()), show_progress);
+    Progress progress(static_cast<long>(named.size()), "frames", show_progress);
     std::vector<long> frames;
     for (auto frame = named.begin(); frame != named.end();) {
         frames.clear();
         for (; frame != named.end() && frames.size() < at_once; ++frame) frames.push_back(*frame);
         add_faults(frames, faults_of(folder, frames, verification.manifest, threads), verification.faults);
-        progress.frames_done(static_cast<long>(frames.size()));
+        progress.done(static_cast<long>(frames.size()));
     }
     std::vector<long> unnamed;
     for (const long frame : frames_in(folder))

@@ -137,14 +137,14 @@ void write_frames(const CompareOptions& options, const Scene& scene, const Parti
         write_file(folder / frame_name(frame, scene.frames), encode_png(painter->draw(frame, positions), {}));
     };
     Helpers helpers(options.jobs - 1, draw);
-    Progress progress(static_cast<long>(frames.size()), !options.quiet);
+    Progress progress(static_cast<long>(frames.size()), "frames", !options.quiet);
     for_each_frame(scene, frames, simulation, [&](long frame, const std::vector<Points>& positions) {
         Interrupts::check();
         if (!helpers.take(frame, positions, helpers.count())) {
             draw(frame, positions);
-            progress.frames_done(1);
+            progress.done(1);
         }
-        progress.frames_done(helpers.drawn());
+        progress.done(helpers.drawn());
     });
     helpers.finish();
 }

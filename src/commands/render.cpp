@@ -70,14 +70,6 @@ void add_options(CLI::App& app, RenderOptions& options) {
         "  ropesim render frames/frame_0042.png -o again");
 }
 
-Shard shard_of(const std::string& text) {
-    try {
-        return parse_shard(text);
-    } catch (const std::runtime_error& error) {
-        throw CLI::ValidationError("--shard", error.what());
-    }
-}
-
 void set_size(Scene& scene, const std::string& text) {
     if (text.empty()) return;
     int read = 0;
@@ -151,7 +143,7 @@ int render(const RenderOptions& options) {
     ClipOptions clip;
     clip.folder = options.folder;
     clip.frames = selected_frames(options.frames, scene);
-    clip.shard = shard_of(options.shard);
+    clip.shard = selected_shard(options.shard);
     clip.jobs = options.jobs;
     clip.existing = options.resume      ? Existing::resume
                     : options.overwrite ? Existing::overwrite

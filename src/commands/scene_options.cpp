@@ -44,4 +44,12 @@ FrameList selected_frames(const std::string& text, const Scene& scene) {
     }
 }
 
+Shard selected_shard(const std::string& text) {
+    try {
+        return parse_shard(text);
+    } catch (const std::runtime_error& error) {
+        throw CLI::ValidationError("--shard", error.what());
+    }
+}
+
 }  // namespace ropesim

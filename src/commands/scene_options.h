@@ -34,4 +34,7 @@ FoundScene open_scene(const SceneOptions& options);
 // The frames that `--frames` asks for. Throws CLI::ValidationError.
 FrameList selected_frames(const std::string& text, const Scene& scene);
 
+// What `--shard` asks for. Throws CLI::ValidationError.
+Shard selected_shard(const std::string& text);
+
 }  // namespace ropesim

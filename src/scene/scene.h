@@ -71,6 +71,16 @@ Scene parse_scene(std::string_view toml, std::string_view name);
 // rope and key. parse_scene has checked the same (with positions in its messages).
 void check_scene(const Scene& scene);
 
+// Sets a key, as a scene file has it, to a value as TOML has it (words need no quotes): of [clip], also as
+// "clip.frames"; of every [[rope]], or of one as "rope[0].stiffness" or "rope[NAME].stiffness"; or of the
+// scene. "steps_per_frame" is that of the whole scene; what a key excludes (mass and masses, damping and
+// damping_factor) it replaces. Throws std::runtime_error for an unknown key, a wrong type, a number out of
+// range; what several keys decide together is left to check_scene.
+void set_key(Scene& scene, std::string_view key, std::string_view value);
+
+// Whether such a key takes one whole number, and not any number.
+bool takes_whole_numbers(std::string_view key);
+
 // The scene as TOML, every key written out, numbers so that they read back as the same doubles.
 // parse_scene(to_toml(scene)) is the same scene, and equal scenes give equal texts.
 std::string to_toml(const Scene& scene);

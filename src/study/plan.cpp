@@ -36,9 +36,9 @@ MethodWork method_work(const Method& method) {
 
 // Of one solve or sweep; 0 for a method that has none. What an evaluation waits for takes as long as some
 // more masses would; a solve goes from mass to mass anyway.
-double solve_work(const Problem& problem, const Method& method) {
+double solve_work(const Rope& rope, const Method& method) {
     constexpr double waiting = 20.0;  // masses
-    const auto masses = static_cast<double>(problem.rope.mass.size());
+    const auto masses = static_cast<double>(rope.mass.size());
     return method_work(method).solve * masses / (masses + waiting);
 }
 
@@ -100,7 +100,7 @@ long next_steps(const Search& search, const Problem& problem, double tolerance) 
 // What a finer step can take at least. Where it is solved for, a large step takes more than a small one: that
 // is one solve then.
 double work_per_step(const Search& search, const Problem& problem) {
-    const double solve = solve_work(problem, *search.method);
+    const double solve = solve_work(problem.rope, *search.method);
     return solve > 0.0 ? solve : search.failed.back().work / static_cast<double>(search.failed.back().steps);
 }
 
@@ -231,16 +231,16 @@ std::string px(double pixels) {
 
 }  // namespace
 
-double work(const Problem& problem, const Method& method, const Cost& cost) {
+double work(const Rope& rope, const Method& method, const Cost& cost) {
     return method_work(method).evaluation * static_cast<double>(cost.evaluations) +
-           solve_work(problem, method) * static_cast<double>(cost.solves);
+           solve_work(rope, method) * static_cast<double>(cost.solves);
 }
 
 Candidate candidate(const Problem& problem, const Truth& truth, const Method& method, long steps) {
     const Trajectory trajectory = simulate(problem, method, steps);
     const auto frames = static_cast<double>(std::max<std::size_t>(1, trajectory.frames.size() - 1));
     return {&method, steps, method_error(problem, truth, trajectory.frames).worst,
-            work(problem, method, trajectory.cost) / frames};
+            work(problem.rope, method, trajectory.cost) / frames};
 }
 
 Plan plan(const Problem& problem, double tolerance) {

@@ -17,9 +17,9 @@ struct Candidate {
     double work = 0.0;   // per frame; in evaluations of all accelerations
 };
 
-// The work of a run: evaluations, and solves or sweeps by what they cost beside an evaluation. Counted, not
-// timed: the same on every machine, and so is what is chosen by it.
-double work(const Problem& problem, const Method& method, const Cost& cost);
+// The work of a run, in evaluations of all its accelerations: those, and solves or sweeps by what they cost
+// beside an evaluation. Counted, not timed: the same on every machine, and so is what is chosen by it.
+double work(const Rope& rope, const Method& method, const Cost& cost);
 
 // What a rope needs to stay within a tolerance.
 struct Plan {

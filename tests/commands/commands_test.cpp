@@ -352,5 +352,60 @@ TEST_F(CommandLine, RendersAnAutomaticRopeByWhatItPlans) {
     EXPECT_TRUE(scene.ropes[0].steps_per_frame);
 }
 
+// A sweep of two keys where one method cannot move the rope and another diverges.
+TEST_F(CommandLine, SweepGivesTheSameTableByAnyNumberOfJobsAndShards) {
+    write("small.toml", small_seed());
+    const std::vector<std::string> grid{"sweep",
+                                        "small.toml",
+                                        "--vary",
+                                        "method=stormer_verlet,xpbd",
+                                        "stiffness=10,100,1e9",
+                                        "pinned=[0],[15],[0,0]",
+                                        "--clips"};
+    const auto swept = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), grid.begin(), grid.end());
+        return run(more);
+    };
+    const Outcome one = swept({"-o", "one"});
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_EQ(one.out, "18 points, 2 diverged, 6 failed: sweep.csv, sheet.png in one\n");
+    EXPECT_EQ(swept({"-o", "two", "--jobs", "2"}).status, 0);
+    for (const char* shard : {"2/3", "0/3", "1/3"})
+        EXPECT_EQ(swept({"-o", "three", "--shard", shard}).status, 0);
+    EXPECT_FALSE(exists("three/sweep.csv"));
+    EXPECT_EQ(swept({"-o", "three", "--resume"}).status, 0);
+    for (const std::string folder : {"two/", "three/"}) {
+        for (const std::string file : {"sweep.csv", "sheet.png", "point_0004/frame_0004.png"})
+            EXPECT_EQ(read_file(temporary.path() / (folder + file)),
+                      read_file(temporary.path() / ("one/" + file)));
+    }
+    const Outcome again = swept({"-o", "one"});
+    EXPECT_EQ(again.status, 1);
+    EXPECT_THAT(again.err, HasSubstr("one already holds a sweep"));
+}
+
+TEST_F(CommandLine, SweepDrawsAChartOfOneOrTwoKeys) {
+    for (const std::string second : {"stiffness=100", "stiffness=10,100"}) {
+        const Outcome outcome =
+            run({"sweep", "--vary", "steps_per_frame=4,64", second, "clip.frames=3", "-o", second});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+    }
+    EXPECT_EQ(run({"sweep", "--vary", "steps_per_frame=4,64", "-o", "one"}).status, 0);
+    EXPECT_EQ(run({"sweep", "--vary", "steps_per_frame=4,64", "method=xpbd,auto", "-o", "two"}).status, 0);
+    for (const std::string folder : {"one", "two"}) {
+        EXPECT_GE(picture(folder + "/sweep.png").width, 1000);
+        EXPECT_TRUE(exists(folder + "/sweep.svg"));
+        EXPECT_TRUE(exists(folder + "/sweep.gp"));
+    }
+}
+
+TEST_F(CommandLine, SweepRefusesWhatItCannotVary) {
+    expect_failure({"sweep", "-o", "frames"}, 2, "--vary is required");
+    expect_failure({"sweep", "--vary", "stifness=1:2:3", "-o", "frames"}, 2, "did you mean 'stiffness'?");
+    expect_failure({"sweep", "--vary", "mass=1,2", "--frames", "3", "-o", "frames"}, 2, "--clips");
+    expect_failure({"sweep", "--vary", "mass=1,2", "--clips", "--sheet-frame", "120", "-o", "frames"}, 2,
+                   "--sheet-frame: found 120, expected 0 to 119");
+}
+
 }  // namespace
 }  // namespace ropesim

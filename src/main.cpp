@@ -21,13 +21,14 @@ struct Row {
     Command (*make)(CLI::App&);
 };
 
-constexpr std::array<Row, 11> rows{{
+constexpr std::array<Row, 12> rows{{
     {"render", "a scene in, numbered PNG frames out; the default", ropesim::render_command},
     {"simulate", "a scene in, positions of its masses out", ropesim::simulate_command},
     {"compare", "runs side by side: where methods part, and which is right", ropesim::compare_command},
     {"study", "charts accuracy against speed, and where methods fail", ropesim::study_command},
     {"plan", "find the cheapest method and step that keep to a tolerance", ropesim::plan_command},
     {"sweep", "a grid over keys of a scene: a row of results for each point", ropesim::sweep_command},
+    {"submit", "a clip made by a cluster's nodes, through Slurm", ropesim::submit_command},
     {"diff", "compare pictures or folders of frames; status 3 where they differ", ropesim::diff_command},
     {"verify", "say whether a folder's clip is all there and whole; repair it", ropesim::verify_command},
     {"methods", "list the methods that move a rope", ropesim::methods_command},

@@ -26,11 +26,9 @@ Simulation::Simulation(const Scene& scene, Errors errors)
     look();
 }
 
-// By counts, so that it is the same everywhere: a frame takes about as long as 250,000 evaluations of the
-// acceleration of one mass, and 1,000 more for each mass that is drawn.
 void Simulation::begin_errors(const Scene& scene, Errors errors) {
     constexpr double share = 0.1;  // of the clip's time
-    double frame_work = 250'000.0;
+    double masses = 0.0;
     double work = 0.0;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const Run& run = runs_[i];
@@ -38,10 +36,10 @@ void Simulation::begin_errors(const Scene& scene, Errors errors) {
             continue;
         errors_[i] = std::make_unique<RopeError>(run.rope, *run.method, run.stepping,
                                                  scene.size[1] / scene.view.height);
-        frame_work += 1'000.0 * static_cast<double>(run.rope.mass.size());
+        masses += static_cast<double>(run.rope.mass.size());
         work += errors_[i]->work();
     }
-    if (errors == Errors::always || work <= share * frame_work) return;
+    if (errors == Errors::always || work <= share * drawing_work(masses)) return;
     for (auto& error : errors_) error.reset();
     why_no_errors_ = "it would take more than a tenth of the clip's time";
 }
@@ -76,6 +74,12 @@ std::string error_of(const Simulation& simulation, std::size_t rope) {
 }
 
 }  // namespace
+
+double drawing_work(double masses) {
+    constexpr double of_frame = 250'000.0;
+    constexpr double of_mass = 1'000.0;
+    return of_frame + of_mass * masses;
+}
 
 std::string error_line(const Simulation& simulation) {
     constexpr std::size_t most_named = 6;

@@ -60,6 +60,10 @@ class Simulation {
     std::string why_no_errors_;
 };
 
+// What drawing a frame with so many masses takes, about, in evaluations of the acceleration of one mass: by
+// counts, so that it is the same everywhere.
+double drawing_work(double masses);
+
 // How wrong the ropes are, in a line for the end of a run: "error, worst frame: Euler 0.2 px (last
 // 0.1 px), ..."; of many ropes the worst. "" where nothing was to be estimated.
 std::string error_line(const Simulation& simulation);

@@ -18,6 +18,7 @@ Command compare_command(CLI::App& app);
 Command study_command(CLI::App& app);
 Command plan_command(CLI::App& app);
 Command sweep_command(CLI::App& app);
+Command submit_command(CLI::App& app);
 Command diff_command(CLI::App& app);
 Command verify_command(CLI::App& app);
 Command methods_command(CLI::App& app);

@@ -7,6 +7,7 @@
 #include "clip/process.h"
 #include "clip/progress.h"
 #include "clip/render_clip.h"
+#include "commands/batch_options.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
 #include "image/png.h"
@@ -36,6 +37,8 @@ struct SweepOptions {
     bool resume = false;
     bool overwrite = false;
     bool quiet = false;
+    bool submit = false;
+    BatchOptions batch;
 };
 
 void add_options(CLI::App& app, SweepOptions& options) {
@@ -65,13 +68,20 @@ void add_options(CLI::App& app, SweepOptions& options) {
     app.add_flag("--overwrite", options.overwrite, "make all points anew")->excludes(resume);
     add_error_option(app, options.scene);
     app.add_flag("--quiet", options.quiet, "say nothing but errors");
+    CLI::Option* submit = app.add_flag("--submit", options.submit,
+                                       "let a cluster's nodes do it, through Slurm: --shards N tasks");
+    submit->excludes("--shard");
+    add_batch_options(app, options.batch);
+    for (const char* option : {"--shards", "--partition", "--time", "--dry-run"})
+        app.get_option(option)->needs(submit);
     app.footer(
         "Numbers of each point in sweep.csv: error in the worst frame, work, largest stretch, energy drift, "
         "where it\ndiverged; a chart where one or two keys are varied.\n"
         "Examples:\n"
         "  ropesim sweep --vary steps_per_frame=4:256:13:log\n"
         "  ropesim sweep bridge --vary method=stormer_verlet,xpbd stiffness=10:100000:9:log --jobs 2\n"
-        "  ropesim sweep my.toml --vary damping=0:0.2:5 rope[0].nodes=8,16,32 --clips -o grid");
+        "  ropesim sweep my.toml --vary damping=0:0.2:5 rope[0].nodes=8,16,32 --clips -o grid\n"
+        "  ropesim sweep my.toml --vary stiffness=10:100000:60:log -o /shared/grid --submit --shards 10");
 }
 
 // A sweep, and what is made of each of its points.
@@ -274,8 +284,44 @@ void gather(const SweepOptions& options, const PointWorker& worker) {
                 failed, chart.c_str(), sheet.c_str(), options.folder.c_str());
 }
 
+// The options that say what each point makes.
+std::string point_options(const SweepOptions& options) {
+    std::string text = " --vary";
+    for (const std::string& each : options.variations) text += ' ' + shell_word(each);
+    if (options.clips) text += " --clips";
+    if (!options.frames.empty()) text += " --frames " + shell_word(options.frames);
+    if (options.sheet_frame) text += " --sheet-frame " + std::to_string(*options.sheet_frame);
+    if (options.scene.no_error) text += " --no-error";
+    return text;
+}
+
+int submit_sweep(const SweepOptions& options, const PointWorker& worker) {
+    const std::filesystem::path folder = std::filesystem::absolute(options.folder).lexically_normal();
+    const std::filesystem::path batch = folder / "batch";
+    const std::string run = this_program() + " sweep " + shell_word((batch / "scene.toml").string()) +
+                            point_options(options) + " -o " + shell_word(folder.string()) + " --resume";
+    const std::string shards = std::to_string(options.batch.request.shards);
+    const std::vector<BatchJob> jobs{
+        {"points",
+         "Task I of " + shards + " does the points whose number is I modulo " + shards + ".",
+         true,
+         {"exec " + run + " --quiet --shard \"$SLURM_ARRAY_TASK_ID/" + shards + '"'}},
+        {"gather",
+         "Does what failed tasks left; makes one table and its pictures of all points.",
+         false,
+         {"exec " + run + " --jobs " + std::to_string(options.jobs)}}};
+    const std::string instead = "the same without --submit, with --jobs 2";
+    if (!options.batch.dry_run) {
+        require_sbatch(instead);
+        prepare(options, worker, {});
+    }
+    hand_over(options.batch, jobs, batch, to_toml(worker.sweep().scene), instead);
+    return 0;
+}
+
 int sweep(const SweepOptions& options) {
     const PointWorker worker(options, open_sweep(options));
+    if (options.submit) return submit_sweep(options, worker);
     const Shard shard = selected_shard(options.shard);
     prepare(options, worker, shard);
     run_points(options, worker, shard);

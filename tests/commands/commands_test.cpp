@@ -384,6 +384,28 @@ TEST_F(CommandLine, SweepGivesTheSameTableByAnyNumberOfJobsAndShards) {
     EXPECT_THAT(again.err, HasSubstr("one already holds a sweep"));
 }
 
+// tests/farm/farm_test submits to a real Slurm.
+TEST_F(CommandLine, SubmitPrintsWhatItWouldHandOver) {
+    write("small.toml", small_seed());
+    const Outcome outcome =
+        run({"submit", "small.toml", "-s", "16", "-o", "clip", "--shards", "4", "--dry-run"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("#SBATCH --array=0-3\n"), HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/4\""),
+                      HasSubstr("verify "), HasSubstr("$ sbatch --parsable render.sh\n")));
+    EXPECT_THAT(outcome.err, HasSubstr("simulating is "));
+    const Outcome grid = run({"sweep", "small.toml", "--vary", "mass=1:2:5", "-o", "grid", "--submit",
+                              "--shards", "2", "--dry-run"});
+    EXPECT_EQ(grid.status, 0) << grid.err;
+    EXPECT_THAT(grid.out, HasSubstr("--vary 'mass=1:2:5' -o "));
+    EXPECT_FALSE(exists("clip"));
+    EXPECT_FALSE(exists("grid"));
+    expect_failure({"submit", "-s", "0", "--shards", "4", "-o", "frames"}, 1, "steps_per_frame");
+    expect_failure({"submit", "--shards", "0", "-o", "frames"}, 2, "--shards");
+    expect_failure({"submit", "--shards", "4", "--partition", "a b", "-o", "frames"}, 2, "--partition");
+    expect_failure({"sweep", "--vary", "mass=1,2", "--shards", "4", "-o", "frames"}, 2, "--submit");
+}
+
 TEST_F(CommandLine, SweepDrawsAChartOfOneOrTwoKeys) {
     for (const std::string second : {"stiffness=100", "stiffness=10,100"}) {
         const Outcome outcome =

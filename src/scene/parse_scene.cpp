@@ -390,6 +390,9 @@ bool takes_whole_numbers(std::string_view key) {
 }
 
 Scene parse_scene(std::string_view toml, std::string_view name) {
+    if (toml.size() > largest_scene)
+        throw std::runtime_error(std::string(name) + ": found " + std::to_string(toml.size()) +
+                                 " bytes of scene, expected at most " + std::to_string(largest_scene));
     if (const auto place = overlong_key(toml))
         throw std::runtime_error(std::string(name) + ":" + std::to_string(place->line) + ":" +
                                  std::to_string(place->column) + ": a key of more than " +

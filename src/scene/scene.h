@@ -62,6 +62,9 @@ struct Scene {
 bool operator==(const SceneRope& a, const SceneRope& b);
 bool operator==(const Scene& a, const Scene& b);
 
+// The most bytes of TOML that are read; as tables they take forty times as much memory.
+inline constexpr std::size_t largest_scene = std::size_t{1} << 26;
+
 // Reads and checks a scene. `name` stands for the file in messages. Throws std::runtime_error,
 // "name:line:column: what was found, what was expected".
 Scene parse_scene(std::string_view toml, std::string_view name);

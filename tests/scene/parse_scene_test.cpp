@@ -222,6 +222,11 @@ TEST(ParseScene, PointsAtWhatIsNoToml) {
     EXPECT_THAT(refusal(std::string(1, '\0')), StartsWith("a.toml:1:"));
 }
 
+TEST(ParseScene, RefusesMoreTextThanMemoryHoldsTablesOf) {
+    EXPECT_EQ(refusal(std::string(largest_scene + 1, '\n')),
+              "a.toml: found 67108865 bytes of scene, expected at most 67108864");
+}
+
 // As deep as this, toml++ would overflow the stack when it lets go of the tables.
 TEST(ParseScene, RefusesKeysOfAMillionParts) {
     std::string key = "a";

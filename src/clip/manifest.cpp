@@ -183,8 +183,8 @@ std::string clip_json(const Scene& scene, const Simulation& simulation, const st
 Manifest parse_manifest(std::string_view text, const std::string& name) {
     constexpr std::size_t largest = 2 * largest_scene;  // a scene, and what became of its ropes
     if (text.size() > largest)
-        throw std::runtime_error(name + ": found " + std::to_string(text.size()) + " bytes, expected at most " +
-                                 std::to_string(largest));
+        throw std::runtime_error(name + ": found " + std::to_string(text.size()) +
+                                 " bytes, expected at most " + std::to_string(largest));
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object() || text_of(json, "scene").empty())
         throw std::runtime_error(name + ": holds no scene, expected a manifest made by ropesim");

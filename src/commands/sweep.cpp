@@ -80,7 +80,7 @@ void add_options(CLI::App& app, SweepOptions& options) {
         "Examples:\n"
         "  ropesim sweep --vary steps_per_frame=4:256:13:log\n"
         "  ropesim sweep bridge --vary method=stormer_verlet,xpbd stiffness=10:100000:9:log --jobs 2\n"
-        "  ropesim sweep my.toml --vary damping=0:0.2:5 rope[0].nodes=8,16,32 --clips -o grid\n"
+        "  ropesim sweep my.toml --vary damping=0:0.2:5 'rope[0].nodes=8,16,32' --clips -o grid\n"
         "  ropesim sweep my.toml --vary stiffness=10:100000:60:log -o /shared/grid --submit --shards 10");
 }
 

@@ -1,5 +1,6 @@
 #include "sweep/sweep_chart.h"
 
+#include "scene/words.h"
 #include "sweep_scripts.h"
 
 #include <algorithm>
@@ -10,14 +11,6 @@
 
 namespace ropesim {
 namespace {
-
-// In gnuplot's quotes nothing but they themselves means anything.
-std::string in_quotes(std::string_view text) {
-    std::string result(1, '\'');
-    for (const char character : text) result.append(character == '\'' ? 2 : 1, character);
-    result.push_back('\'');
-    return result;
-}
 
 std::string setting(const char* name, const std::string& value) {
     return std::string(name) + " = " + value + '\n';
@@ -53,7 +46,7 @@ std::string tics(const char* axis, const Variation& variation, std::size_t most)
     const std::size_t every = (variation.values.size() + most - 1) / most;
     std::string list;
     for (std::size_t i = 0; i < variation.values.size(); i += every)
-        list += (list.empty() ? "" : ", ") + in_quotes(variation.values[i]) + ' ' + std::to_string(i);
+        list += (list.empty() ? "" : ", ") + in_gnuplot_quotes(variation.values[i]) + ' ' + std::to_string(i);
     return std::string("set ") + axis + " (" + list + ")\n";
 }
 
@@ -77,7 +70,7 @@ std::string decades(const char* name, const std::vector<PointResult>& results, c
 std::string curves(const Variation& variation) {
     constexpr std::size_t most_labels = 16;
     const std::vector<double> values = numbers(variation);
-    std::string script = setting("x_label", in_quotes(variation.key)) +
+    std::string script = setting("x_label", in_gnuplot_quotes(variation.key)) +
                          setting("values", std::to_string(variation.values.size()));
     if (values.empty())
         return script + "position(d) = column(\"point\")\nset xrange [-0.5 : values - 0.5]\n" +
@@ -93,7 +86,8 @@ std::string curves(const Variation& variation) {
 std::string heat_map(const Variation& down, const Variation& across) {
     constexpr std::size_t most_across = 8;
     constexpr std::size_t most_down = 24;
-    return setting("x_label", in_quotes(across.key)) + setting("y_label", in_quotes(down.key)) +
+    return setting("x_label", in_gnuplot_quotes(across.key)) +
+           setting("y_label", in_gnuplot_quotes(down.key)) +
            setting("columns", std::to_string(across.values.size())) +
            setting("rows", std::to_string(down.values.size())) + tics("xtics", across, most_across) +
            tics("ytics", down, most_down);
@@ -111,7 +105,7 @@ std::string sweep_script(const Sweep& sweep, const std::vector<PointResult>& res
     const std::vector<Variation>& variations = sweep.variations;
     const std::string title = sweep.scene.title.empty() ? "Sweep" : "Sweep: " + sweep.scene.title;
     const bool one = variations.size() == 1;
-    return "# To draw the chart again: gnuplot sweep.gp\n" + setting("heading", in_quotes(title)) +
+    return "# To draw the chart again: gnuplot sweep.gp\n" + setting("heading", in_gnuplot_quotes(title)) +
            decades("error", results,
                    [](const PointResult& each) { return each.error ? each.error->pixels : 0.0; }) +
            decades("work", results,

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,8 @@ int main(int count, char** values) {
     } catch (const ropesim::Interrupted& interrupted) {
         complain("interrupted; the same command with --resume goes on from here");
         return 128 + interrupted.signal;
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory");
     } catch (const std::exception& error) {
         return complain(error.what());
     }

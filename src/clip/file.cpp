@@ -161,6 +161,12 @@ void NewFile::set_size(std::uint64_t size) {
     if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail("cannot write");
 }
 
+void NewFile::sync() {
+    flush();
+    while (::fdatasync(descriptor_) != 0)
+        if (errno != EINTR) fail("cannot sync");
+}
+
 void NewFile::finish() {
     flush();
     if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write");
@@ -181,6 +187,13 @@ void write_file(const std::filesystem::path& path, std::span<const std::uint8_t>
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+    Descriptor file(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (file.number() < 0) fail(folder, "cannot open");
+    while (::fsync(file.number()) != 0)
+        if (errno != EINTR) fail(folder, "cannot sync");
 }
 
 std::vector<std::filesystem::path> stray_temporaries(const std::filesystem::path& folder) {

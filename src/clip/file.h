@@ -36,6 +36,9 @@ class NewFile {
     void read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
     void set_size(std::uint64_t size);
 
+    // Has what was written outlast a power cut; so does the name once its folder is synced.
+    void sync();
+
     void finish();
 
   private:
@@ -51,6 +54,9 @@ class NewFile {
 // Writes a whole file by NewFile.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
+
+// Has the names in a folder outlast a power cut. Throws std::runtime_error where the system cannot.
+void sync_folder(const std::filesystem::path& folder);
 
 // The temporary files in the folder that no process of this machine is writing: killed ones left them, or
 // they are of another machine.

@@ -41,6 +41,14 @@ bool is_made(const std::filesystem::path& path, const Texts& texts) {
     }
 }
 
+template <class Content>
+void write_whole(const std::filesystem::path& path, const Content& content, const ClipOptions& options) {
+    NewFile file(path);
+    file.append(content);
+    if (options.sync) file.sync();
+    file.finish();
+}
+
 // Draws frames and writes them; has an OpenGL context from the first on.
 class FrameWriter {
   public:
@@ -53,10 +61,11 @@ class FrameWriter {
     void write(long frame, const std::vector<Points>& positions) {
         const Image& image = renderer().draw(polylines(scene_, positions));
         set_frame(texts_, frame);
-        write_file(frame_path(scene_, options_, frame),
-                   options_.compact
-                       ? encode_compact_png(image, texts_)
-                       : encoder_.encode(image, renderer().inked(), renderer().changed(), texts_));
+        write_whole(frame_path(scene_, options_, frame),
+                    options_.compact
+                        ? encode_compact_png(image, texts_)
+                        : encoder_.encode(image, renderer().inked(), renderer().changed(), texts_),
+                    options_);
     }
 
     // Whether the frame is there, whole, and made by this very scene and version.
@@ -93,8 +102,8 @@ void advance_to(long frame, Simulation& simulation) {
 FrameList frames_known(const Scene& scene, const ClipOptions& options) {
     const std::filesystem::path path = manifest_path(options.folder);
     if (!std::filesystem::exists(path)) return {};
+    const std::vector<std::uint8_t> bytes = read_file(path);
     try {
-        const std::vector<std::uint8_t> bytes = read_file(path);
         const Manifest manifest =
             parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
         if (manifest.version == version() && manifest.scene == scene &&
@@ -187,9 +196,15 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     if (!given) advance_to(scene.frames - 1, simulation);
     helpers.finish();
     if (helpers.any_died()) remove_stale_temporaries(options.folder);
-    write_file(manifest_path(options.folder),
-               clip_json(scene, simulation, options.positions_digest, both(known, options.frames),
-                         writer.renderer().description()));
+    if (options.sync) sync_folder(options.folder);
+    write_whole(manifest_path(options.folder),
+                clip_json(scene, simulation, options.positions_digest, both(known, options.frames),
+                          writer.renderer().description()),
+                options);
+    if (options.sync) {
+        sync_folder(options.folder);
+        sync_folder(options.folder / "..");  // which has the folder's own name
+    }
     return result;
 }
 

@@ -27,6 +27,7 @@ struct ClipOptions {
     std::optional<int> jobs;  // processes; without it, as many as make the clip faster here
     Existing existing = Existing::refuse;
     bool compact = false;  // small files rather than fast ones
+    bool sync = false;     // have each frame outlast a power cut, before it has its name
     bool show_progress = false;
     std::string positions_digest;  // of the file that the positions came from, if any
 };

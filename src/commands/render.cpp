@@ -30,6 +30,7 @@ struct RenderOptions {
     bool resume = false;
     bool overwrite = false;
     bool compact = false;
+    bool sync = false;
     std::string positions;
     std::string video;
     bool strict = false;
@@ -54,6 +55,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
         app.add_flag("--resume", options.resume, "keep the frames that this very scene and version made");
     app.add_flag("--overwrite", options.overwrite, "make all frames anew")->excludes(resume);
     app.add_flag("--compact", options.compact, "make files smaller than libpng would, but slowly");
+    app.add_flag("--sync", options.sync, "have every frame on the disk, not in memory, before the next");
     app.add_option("--positions", options.positions,
                    "draw these positions (.csv or .npy) instead of simulating")
         ->type_name("FILE");
@@ -149,6 +151,7 @@ int render(const RenderOptions& options) {
                     : options.overwrite ? Existing::overwrite
                                         : Existing::refuse;
     clip.compact = options.compact;
+    clip.sync = options.sync;
     clip.show_progress = !options.quiet;
     if (!options.video.empty() && clip.shard.count > 1)
         throw CLI::ValidationError("--video",

@@ -1,0 +1,278 @@
+// Every call that concerns what a command writes is made to fail in turn, by fault_shim; then the same for
+// memory. Whatever fails, the command either does all the same what it should, or says one line and leaves
+// nothing that is half.
+
+#include "clip/file.h"
+#include "clip/temporary_folder.h"
+#include "commands/program.h"
+#include "scene/scene.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace ropesim {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr long stride = 11;  // a run takes ten times as long
+#else
+constexpr long stride = 1;
+#endif
+
+using Files = std::map<std::string, std::string>;
+using Environment = std::map<std::string, std::string>;
+
+std::string text_of(const std::filesystem::path& path) {
+    const auto bytes = read_file(path);
+    return {bytes.begin(), bytes.end()};
+}
+
+Files files_in(const std::filesystem::path& folder) {
+    Files files;
+    if (!std::filesystem::exists(folder)) return files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files[entry.path().filename().string()] = text_of(entry.path());
+    return files;
+}
+
+class Faults : public testing::Test {
+  protected:
+    void SetUp() override {
+        Scene scene = parse_scene(builtin_scenes().front().toml, "seed");
+        scene.frames = 2;
+        scene.size = {64, 48};
+        write_file(temporary.path() / "small.toml", to_toml(scene));
+    }
+
+    // Runs it with a fault; whether there was one.
+    bool run_with_fault(const std::vector<std::string>& arguments, Environment environment) {
+        std::filesystem::remove(mark);
+        environment["LD_PRELOAD"] = ROPESIM_FAULT_SHIM;
+        environment["ASAN_OPTIONS"] = "verify_asan_link_order=0:detect_leaks=0";
+        environment["ROPESIM_FAULT_FOLDER"] = out.string();
+        environment["ROPESIM_FAULT_MARK"] = mark.string();
+        for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
+        outcome = ropesim(temporary.path(), arguments);
+        for (const auto& [name, value] : environment) ::unsetenv(name.c_str());
+        return std::filesystem::exists(mark);
+    }
+
+    std::string names_that_differ() const {
+        std::string names;
+        Files found = files_in(out);
+        for (const auto& [name, text] : whole)
+            if (found[name] != text) names += name + " ";
+        for (const auto& [name, text] : found)
+            if (!whole.contains(name)) names += name + " ";
+        return names;
+    }
+
+    void begin_anew() const {
+        std::filesystem::remove_all(out);
+        if (old.empty()) return;
+        std::filesystem::create_directory(out);
+        for (const auto& [name, text] : old) write_file(out / name, text);
+    }
+
+    // What it should do, undisturbed.
+    void run_undisturbed(const std::vector<std::string>& arguments) {
+        begin_anew();
+        expected = ropesim(temporary.path(), arguments);
+        whole = files_in(out);
+        ASSERT_FALSE(whole.empty() && expected.out.empty()) << expected.err;
+    }
+
+    void expect_done_or_refused(long most_lines) const {
+        if (outcome.status == expected.status) {
+            EXPECT_TRUE(files_in(out) == whole) << names_that_differ();
+            return;
+        }
+        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        EXPECT_THAT(outcome.err, AllOf(StartsWith("ropesim: "), EndsWith("\n")));
+        EXPECT_LE(std::ranges::count(outcome.err, '\n'), most_lines) << outcome.err;
+        for (const auto& [name, text] : files_in(out)) {
+            EXPECT_TRUE(whole.contains(name)) << name << " is left; " << outcome.err;
+            const auto before = old.find(name);
+            EXPECT_TRUE(text == whole.at(name) || (before != old.end() && text == before->second))
+                << name << " is half written; " << outcome.err;
+        }
+    }
+
+    // What is there decides; a folder that was seen before need not be seen again.
+    void expect_all_the_same_afterwards(const std::vector<std::string>& arguments) {
+        if (const Files left = files_in(out); left == whole || !left_before.insert(left).second) return;
+        const Outcome again = ropesim(temporary.path(), arguments);
+        EXPECT_EQ(again.status, expected.status) << again.err;
+        EXPECT_TRUE(files_in(out) == whole) << names_that_differ();
+    }
+
+    // Every call in every way.
+    void try_all(const std::vector<std::string>& arguments, const std::vector<std::string>& again,
+                 long most_lines = 1) {
+        run_undisturbed(arguments);
+        long tried = 0;
+        const std::map<std::string, int> kinds{{"EIO", EIO},       {"ENOSPC", ENOSPC}, {"EINTR", EINTR},
+                                               {"EMFILE", EMFILE}, {"EDQUOT", EDQUOT}, {"short", 0}};
+        for (const auto& [name, number] : kinds) {
+            const std::string kind = number == 0 ? name : std::to_string(number);
+            for (long at = 1;; at += stride) {
+                begin_anew();
+                if (!run_with_fault(arguments,
+                                    {{"ROPESIM_FAULT_AT", std::to_string(at)}, {"ROPESIM_FAULT_KIND", kind}}))
+                    break;
+                SCOPED_TRACE(name + " of call " + std::to_string(at) + ", " + text_of(mark));
+                ++tried;
+                expect_done_or_refused(most_lines);
+                expect_all_the_same_afterwards(again);
+                if (HasFailure()) return;
+            }
+        }
+        EXPECT_GT(tried, 0);
+        std::printf("%ld faults tried\n", tried);
+    }
+
+    // No memory, at the first allocations one by one and then ever more rarely.
+    void try_memory(const std::vector<std::string>& arguments, const std::vector<std::string>& again) {
+        run_undisturbed(arguments);
+        long tried = 0;
+        for (long at = 1;; at += 1 + at / 16) {
+            begin_anew();
+            if (!run_with_fault(arguments, {{"ROPESIM_FAULT_NEW", std::to_string(at)}})) break;
+            SCOPED_TRACE("allocation " + std::to_string(at));
+            ++tried;
+            expect_done_or_refused(1);
+            expect_all_the_same_afterwards(again);
+            if (HasFailure()) return;
+        }
+        EXPECT_GT(tried, 0);
+        std::printf("%ld allocations failed\n", tried);
+    }
+
+    const TemporaryFolder temporary;
+    const std::filesystem::path out = temporary.path() / "out";
+    const std::filesystem::path mark = temporary.path() / "mark";
+    Files old;    // what is in the folder before
+    Files whole;  // and afterwards
+    std::set<Files> left_before;
+    Outcome expected{};
+    Outcome outcome{};
+};
+
+TEST_F(Faults, Render) {
+    const std::vector<std::string> render{"render", "small.toml", "-o",     out.string(),
+                                          "--jobs", "1",          "--sync", "--quiet"};
+    std::vector<std::string> again = render;
+    again.push_back("--resume");
+    try_all(render, again);
+}
+
+TEST_F(Faults, RenderByTwoJobs) {
+    const std::vector<std::string> render{"render", "small.toml", "-o",     out.string(),
+                                          "--jobs", "2",          "--quiet"};
+    std::vector<std::string> again = render;
+    again.push_back("--resume");
+    try_all(render, again, 2);  // the job says why, its parent that it failed
+}
+
+TEST_F(Faults, ResumeOverFramesThatAreThere) {
+    run_undisturbed({"render", "small.toml", "-o", out.string(), "--quiet"});
+    old = whole;
+    old["frame_0001.png"] = "half a frame";
+    const std::vector<std::string> resume{"render", "small.toml", "-o",       out.string(),
+                                          "--jobs", "1",          "--resume", "--quiet"};
+    try_all(resume, resume);
+}
+
+TEST_F(Faults, SimulateToCsv) {
+    old = {{"a.csv", "old"}};
+    const std::vector<std::string> simulate{"simulate", "small.toml", "-o", (out / "a.csv").string(),
+                                            "--no-error"};
+    try_all(simulate, simulate);
+}
+
+TEST_F(Faults, SimulateToNpyAndDiagnostics) {
+    old = {{"a.npy", "old"}};
+    const std::vector<std::string> simulate{
+        "simulate",  "small.toml", "-o", (out / "a.npy").string(), "--diagnostics", (out / "b.csv").string(),
+        "--no-error"};
+    try_all(simulate, simulate);
+}
+
+TEST_F(Faults, SimulateToStandardOutput) {
+    const std::vector<std::string> simulate{"simulate", "small.toml", "-o", "-", "--no-error"};
+    try_all(simulate, simulate);
+}
+
+TEST_F(Faults, PlanThatIsWritten) {
+    old = {{"a.toml", "old"}};
+    const std::vector<std::string> plan{"plan", "small.toml", "--tolerance",
+                                        "1",    "--write",    (out / "a.toml").string()};
+    try_all(plan, plan);
+}
+
+TEST_F(Faults, DiffWithItsReports) {
+    ropesim(temporary.path(), {"render", "small.toml", "-o", "a", "--quiet"});
+    ropesim(temporary.path(), {"render", "small.toml", "-g", "0", "-100", "-o", "b", "--quiet"});
+    old = {{"a.html", "old"}};
+    const std::vector<std::string> diff{
+        "diff", "a", "b", "--report", (out / "a.html").string(), "--json", (out / "a.json").string()};
+    try_all(diff, diff);
+    EXPECT_EQ(expected.status, 3);
+}
+
+TEST_F(Faults, Compare) {
+    const std::vector<std::string> compare{"compare",    "small.toml", "-o",
+                                           out.string(), "--no-error", "--quiet"};
+    std::vector<std::string> again = compare;
+    again.push_back("--overwrite");
+    try_all(compare, again);
+}
+
+TEST_F(Faults, VerifyThatRepairs) {
+    run_undisturbed({"render", "small.toml", "-o", out.string(), "--quiet"});
+    old = whole;
+    old.erase("frame_0001.png");
+    const std::vector<std::string> repair{"verify", out.string(), "--repair", "--jobs", "1", "--quiet"};
+    try_all(repair, repair);
+}
+
+TEST_F(Faults, MemoryOfSimulate) {
+    old = {{"a.csv", "old"}};
+    const std::vector<std::string> simulate{"simulate", "small.toml", "-o", (out / "a.csv").string()};
+    try_memory(simulate, simulate);
+}
+
+TEST_F(Faults, MemoryOfRender) {
+    const std::vector<std::string> render{"render", "small.toml", "-o",     out.string(),
+                                          "--jobs", "1",          "--quiet"};
+    std::vector<std::string> again = render;
+    again.push_back("--resume");
+    try_memory(render, again);
+}
+
+TEST_F(Faults, NoOpenGl) {
+    run_with_fault({"render", "small.toml", "-o", out.string()}, {{"ROPESIM_FAULT_LIBRARIES", "1"}});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("ropesim: no OpenGL 3.3 context could be made"),
+                                   HasSubstr("install the Debian package libosmesa6, or libegl1")));
+    ::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+    outcome = ropesim(temporary.path(), {"render", "small.toml", "-o", out.string(), "--jobs", "1"});
+    ::unsetenv("MESA_GL_VERSION_OVERRIDE");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("makes no OpenGL 3.3 core context"));
+    EXPECT_TRUE(files_in(out).empty());
+}
+
+}  // namespace
+}  // namespace ropesim

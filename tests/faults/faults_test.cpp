@@ -59,7 +59,7 @@ class Faults : public testing::Test {
     bool run_with_fault(const std::vector<std::string>& arguments, Environment environment) {
         std::filesystem::remove(mark);
         environment["LD_PRELOAD"] = ROPESIM_FAULT_SHIM;
-        environment["ASAN_OPTIONS"] = "verify_asan_link_order=0:detect_leaks=0";
+        environment["ASAN_OPTIONS"] = "verify_asan_link_order=0:detect_leaks=0:alloc_dealloc_mismatch=0";
         environment["ROPESIM_FAULT_FOLDER"] = out.string();
         environment["ROPESIM_FAULT_MARK"] = mark.string();
         for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);

@@ -400,7 +400,7 @@ Scene parse_scene(std::string_view toml, std::string_view name) {
     try {
         return read_scene(toml::parse(toml), name);
     } catch (const toml::parse_error& error) {
-        fail(name, error.source(), std::string(error.description()));
+        fail(name, error.source(), one_line(error.description()));
     }
 }
 

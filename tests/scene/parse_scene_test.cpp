@@ -222,6 +222,10 @@ TEST(ParseScene, PointsAtWhatIsNoToml) {
     EXPECT_THAT(refusal(std::string(1, '\0')), StartsWith("a.toml:1:"));
 }
 
+TEST(ParseScene, DoesNotEchoWhatATerminalWouldObey) {
+    EXPECT_THAT(refusal("x = f\bam"), HasSubstr("saw 'f\\x08'"));
+}
+
 TEST(ParseScene, RefusesMoreTextThanMemoryHoldsTablesOf) {
     EXPECT_EQ(refusal(std::string(largest_scene + 1, '\n')),
               "a.toml: found 67108865 bytes of scene, expected at most 67108864");

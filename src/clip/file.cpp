@@ -76,6 +76,22 @@ bool is_dead(pid_t process) {
     return ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
+struct Temporary {
+    std::filesystem::path path;
+    pid_t process;  // that writes or wrote it; 0 where it is of another machine
+};
+
+std::vector<Temporary> temporaries(const std::filesystem::path& folder) {
+    const std::string prefix = temporary_prefix();
+    std::vector<Temporary> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(temporary_begin) && name.ends_with(temporary_suffix))
+            found.push_back({entry.path(), process_of(name, prefix)});
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest) {
@@ -197,24 +213,16 @@ void sync_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<std::filesystem::path> stray_temporaries(const std::filesystem::path& folder) {
-    const std::string prefix = temporary_prefix();
     std::vector<std::filesystem::path> strays;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with(temporary_begin) || !name.ends_with(temporary_suffix)) continue;
-        const pid_t process = process_of(name, prefix);
-        if (process == 0 || is_dead(process)) strays.push_back(entry.path());
-    }
+    for (const auto& [path, process] : temporaries(folder))
+        if (process == 0 || is_dead(process)) strays.push_back(path);
     std::ranges::sort(strays);
     return strays;
 }
 
 void remove_stale_temporaries(const std::filesystem::path& folder) {
-    const std::string prefix = temporary_prefix();
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const pid_t process = process_of(entry.path().filename().string(), prefix);
-        if (process > 0 && is_dead(process)) std::filesystem::remove(entry.path());
-    }
+    for (const auto& [path, process] : temporaries(folder))
+        if (process > 0 && is_dead(process)) std::filesystem::remove(path);
 }
 
 }  // namespace ropesim

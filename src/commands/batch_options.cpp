@@ -1,6 +1,7 @@
 #include "commands/batch_options.h"
 
 #include "clip/file.h"
+#include "scene/words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -36,13 +37,11 @@ void add_batch_options(CLI::App& app, BatchOptions& options) {
 }
 
 void hand_over(const BatchOptions& options, const std::vector<BatchJob>& jobs,
-               const std::filesystem::path& folder, const std::string& scene_toml,
-               const std::string& instead) {
+               const std::filesystem::path& folder, const std::string& scene_toml) {
     if (options.dry_run) {
         std::printf("%s", dry_run(jobs, options.request, folder).c_str());
         return;
     }
-    require_sbatch(instead);
     std::error_code error;
     std::filesystem::create_directory(folder.parent_path(), error);
     if (!error) std::filesystem::create_directory(folder, error);
@@ -53,7 +52,7 @@ void hand_over(const BatchOptions& options, const std::vector<BatchJob>& jobs,
         std::printf(
             "job %s: %s.sh%s\n", numbers[i].c_str(), jobs[i].name.c_str(),
             jobs[i].of_every_shard ? (", " + std::to_string(options.request.shards) + " tasks").c_str() : "");
-    std::printf("scripts and logs in %s/; all is done when job %s is\n", folder.c_str(),
+    std::printf("scripts and logs in %s/; all is done when job %s is\n", one_line(folder.string()).c_str(),
                 numbers.back().c_str());
 }
 

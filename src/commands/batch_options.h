@@ -20,9 +20,8 @@ struct BatchOptions {
 void add_batch_options(CLI::App& app, BatchOptions& options);
 
 // Submits the jobs and says so, or prints them under --dry-run. Their scripts, logs and the scene are in
-// `folder`. `instead` is what does the same without a scheduler.
+// `folder`.
 void hand_over(const BatchOptions& options, const std::vector<BatchJob>& jobs,
-               const std::filesystem::path& folder, const std::string& scene_toml,
-               const std::string& instead);
+               const std::filesystem::path& folder, const std::string& scene_toml);
 
 }  // namespace ropesim

@@ -112,14 +112,13 @@ int submit_clip(const SubmitOptions& options) {
         std::fprintf(stderr, "ropesim: warning: %s\n", warning.c_str());
     if (!options.video.empty()) check_video(options.video, selected_frames("", scene));
     const std::filesystem::path folder = std::filesystem::absolute(options.folder).lexically_normal();
-    const std::string instead =
-        "ropesim render " + options.scene.scene + " -o " + options.folder.string() + " --jobs 2";
     if (!options.batch.dry_run) {
-        require_sbatch(instead);
+        require_sbatch("ropesim render " + options.scene.scene + " -o " + options.folder.string() +
+                       " --jobs 2");
         prepare(options, folder);
     }
     const bool once = simulates_once(scene, options.batch.request.shards);
-    hand_over(options.batch, jobs(options, folder, once), folder / "batch", to_toml(scene), instead);
+    hand_over(options.batch, jobs(options, folder, once), folder / "batch", to_toml(scene));
     return 0;
 }
 

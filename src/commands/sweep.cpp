@@ -11,6 +11,7 @@
 #include "commands/commands.h"
 #include "commands/scene_options.h"
 #include "image/png.h"
+#include "scene/words.h"
 #include "study/plan.h"
 #include "sweep/point_cell.h"
 #include "sweep/sweep_chart.h"
@@ -281,7 +282,7 @@ void gather(const SweepOptions& options, const PointWorker& worker) {
     const auto diverged =
         std::ranges::count_if(results, [](const auto& each) { return each.diverged.has_value(); });
     std::printf("%zu points, %td diverged, %td failed: sweep.csv%s%s in %s\n", results.size(), diverged,
-                failed, chart.c_str(), sheet.c_str(), options.folder.c_str());
+                failed, chart.c_str(), sheet.c_str(), one_line(options.folder.string()).c_str());
 }
 
 // The options that say what each point makes.
@@ -310,12 +311,11 @@ int submit_sweep(const SweepOptions& options, const PointWorker& worker) {
          "Does what failed tasks left; makes one table and its pictures of all points.",
          false,
          {"exec " + run + " --jobs " + std::to_string(options.jobs)}}};
-    const std::string instead = "the same without --submit, with --jobs 2";
     if (!options.batch.dry_run) {
-        require_sbatch(instead);
+        require_sbatch("the same without --submit, with --jobs 2");
         prepare(options, worker, {});
     }
-    hand_over(options.batch, jobs, batch, to_toml(worker.sweep().scene), instead);
+    hand_over(options.batch, jobs, batch, to_toml(worker.sweep().scene));
     return 0;
 }
 

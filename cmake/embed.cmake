@@ -5,7 +5,8 @@
 function(embed_files target function)
     cmake_parse_arguments(PARSE_ARGV 2 embed "" "BASE" "FILES")
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded_${function})
-    set(assembly "    .section .rodata\n")
+    # cet.h says what -fcf-protection says in compiled code: one object without it takes it from the program.
+    set(assembly "#ifdef __CET__\n#include <cet.h>\n#endif\n    .section .rodata\n")
     set(declarations "")
     set(rows "")
     set(index 0)

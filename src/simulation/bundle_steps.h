@@ -99,13 +99,19 @@ VectorLanes<width> acceleration_lanes(const Lanes<width>& weight, const VectorLa
 // The last forces before a place in a bundle, lanes x and then y, for the loop that goes on from there.
 using ForcesBefore = std::array<double, 2 * Bundle::most_ropes>;
 
+// Where the masses are that come after those of a vector. Of ropes side by side, one vector further. Of one
+// rope, one element further; of one with `few` masses, which have just been moved, by shifting whole vectors,
+// since a processor reads what it has not yet written out only as it was stored.
+enum class Layout { side_by_side, one_rope, few_masses };
+
 // Calls move(i, a) with the accelerations of the masses from element i, for every vector from `begin` to
 // `end`, multiples of the width. `move` may move them: the links after them have been measured by then. While
 // a vector moves, the division for the next and the square root for the one after that are under way; one
 // after the other, they take longer than a processor sees ahead.
-template <int width, bool side_by_side, class Move>
+template <int width, Layout layout, class Move>
 void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Index end, ForcesBefore& before,
                 const Move& move) {
+    constexpr bool side_by_side = layout == Layout::side_by_side;
     constexpr Eigen::Index next = side_by_side ? width : 1;
     const Eigen::Index links = (bundle.masses() - 1) * next;
     const double* const x = bundle[place];
@@ -115,7 +121,11 @@ void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Inde
     const double* const fall_x = bundle[Bundle::fall_x];
     const double* const fall_y = bundle[Bundle::fall_y];
     const auto link_from = [=](Eigen::Index i) {
-        return link_lanes(load<width>(x + i, y + i), load<width>(x + i + next, y + i + next));
+        const auto from = load<width>(x + i, y + i);
+        if constexpr (layout == Layout::few_masses)
+            return link_lanes(from, shifted_down(from, load<width>(x + i + width, y + i + width)));
+        else
+            return link_lanes(from, load<width>(x + i + next, y + i + next));
     };
     VectorLanes<width> last;
     if (begin > 0) last = load<width>(before.data(), before.data() + width);

@@ -148,7 +148,7 @@ void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses
 constexpr int lost_fields = 4;
 
 // A loop over a part of the masses.
-template <int width, bool side_by_side, Sums sums, Moves moves>
+template <int width, Layout layout, Sums sums, Moves moves>
 void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
     double* const x = bundle[Bundle::x];
     double* const y = bundle[Bundle::y];
@@ -170,25 +170,23 @@ void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index e
         }
     };
     if (moves != Moves::any || stage.first.kick != 0.0)
-        accelerate<width, side_by_side>(bundle, Bundle::x, begin, end, before, leap_at);
+        accelerate<width, layout>(bundle, Bundle::x, begin, end, before, leap_at);
     else
         for (Eigen::Index i = begin; i < end; i += width) leap_at(i, {});
 }
 
-template <int width, bool side_by_side, Sums sums>
+template <int width, Layout layout, Sums sums>
 void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
     in_blocks<width>(
         bundle, stages(leaps), [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
             const Stage now = stage(leaps, j);
             switch (moves_of(now)) {
                 case Moves::kick_drift:
-                    return pass<width, side_by_side, sums, Moves::kick_drift>(now, bundle, begin, end,
-                                                                              before);
+                    return pass<width, layout, sums, Moves::kick_drift>(now, bundle, begin, end, before);
                 case Moves::kick_kick_drift:
-                    return pass<width, side_by_side, sums, Moves::kick_kick_drift>(now, bundle, begin, end,
-                                                                                   before);
+                    return pass<width, layout, sums, Moves::kick_kick_drift>(now, bundle, begin, end, before);
                 case Moves::any:
-                    return pass<width, side_by_side, sums, Moves::any>(now, bundle, begin, end, before);
+                    return pass<width, layout, sums, Moves::any>(now, bundle, begin, end, before);
             }
         });
 }
@@ -230,10 +228,10 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
 
 template <int width, Sums sums>
 void leap_in_lanes(const Leaps& leaps, Bundle& bundle) {
-    if (bundle.ropes() > 1) return leap_through_memory<width, true, sums>(leaps, bundle);
+    if (bundle.ropes() > 1) return leap_through_memory<width, Layout::side_by_side, sums>(leaps, bundle);
     if (bundle.masses() <= width) return leap_in_registers<width, 1, sums>(leaps, bundle);
     if (bundle.masses() <= 2 * width) return leap_in_registers<width, 2, sums>(leaps, bundle);
-    leap_through_memory<width, false, sums>(leaps, bundle);
+    leap_through_memory<width, Layout::one_rope, sums>(leaps, bundle);
 }
 
 template <Sums sums>

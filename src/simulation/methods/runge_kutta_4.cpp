@@ -15,10 +15,8 @@ constexpr double nodes[3] = {0.5, 0.5, 1.0};  // of stages 1, 2, 3
 // Fields beside those of the bundle, which are those at the start of a step; each of x and then of y.
 enum Field {
     stage_place = Bundle::fields,
-    stage_velocity = stage_place + 2,
-    mean_velocity = stage_place + 4,
-    mean_acceleration = stage_place + 6,
-    field_count = stage_place + 8
+    stage_acceleration = stage_place + 2,
+    field_count = stage_acceleration + 6
 };
 
 struct Step {
@@ -26,49 +24,77 @@ struct Step {
     double damping;
 };
 
-// One coordinate of some masses.
+// One coordinate of the masses.
 struct Coordinate {
     double* x;
     double* v;
     double* stage_x;
-    double* stage_v;
-    double* mean_v;
-    double* mean_a;
+    std::array<double*, 3> stage_a;  // of stages 0, 1, 2
 };
 
-// Stage s of a step, from what it has for acceleration without damping.
+// Stage s of a step for some masses, from what it has for acceleration without damping. The velocities of the
+// stages follow from their accelerations: to compute them again costs less than to keep them.
 template <int s, class L>
 void take_stage(const Step& step, L a, const Coordinate& at, Eigen::Index i) {
     constexpr int width = sizeof(L) / sizeof(double);
-    const L v = load<width>((s == 0 ? at.v : at.stage_v) + i);
-    if (step.damping != 0.0) a = a - step.damping * v;
-    const L sum_v = (s == 0 ? L{} : load<width>(at.mean_v + i)) + weights[s] * v;
-    const L sum_a = (s == 0 ? L{} : load<width>(at.mean_a + i)) + weights[s] * a;
+    const L x = load<width>(at.x + i);
+    std::array<L, s + 1> stage_v;
+    std::array<L, s + 1> stage_a;
+    stage_v[0] = load<width>(at.v + i);
+    for (std::size_t before = s < 3 && s > 0 ? s - 1 : 0; before < s; ++before) {
+        stage_a[before] = load<width>(at.stage_a[before] + i);
+        stage_v[before + 1] = stage_v[0] + nodes[before] * step.size * stage_a[before];
+    }
+    if (step.damping != 0.0) a = a - step.damping * stage_v[s];
+    stage_a[s] = a;
     if constexpr (s < 3) {
-        store(at.mean_v + i, sum_v);
-        store(at.mean_a + i, sum_a);
-        store(at.stage_x + i, load<width>(at.x + i) + nodes[s] * step.size * v);
-        store(at.stage_v + i, load<width>(at.v + i) + nodes[s] * step.size * a);
+        store(at.stage_a[s] + i, a);
+        store(at.stage_x + i, x + nodes[s] * step.size * stage_v[s]);
     } else {
-        store(at.x + i, load<width>(at.x + i) + step.size * sum_v);
-        store(at.v + i, load<width>(at.v + i) + step.size * sum_a);
+        L mean_v{};
+        L mean_a{};
+        for (std::size_t stage = 0; stage <= s; ++stage) {
+            mean_v = mean_v + weights[stage] * stage_v[stage];
+            mean_a = mean_a + weights[stage] * stage_a[stage];
+        }
+        store(at.x + i, x + step.size * mean_v);
+        store(at.v + i, stage_v[0] + step.size * mean_a);
     }
 }
 
-template <int width, int s>
-void take_stages(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Index end,
-                 ForcesBefore& before) {
+template <int width, Layout layout, int s>
+void take_stage(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Index end,
+                ForcesBefore& before) {
     const auto coordinate = [&](int axis) {
-        return Coordinate{bundle[Bundle::x + axis],     bundle[Bundle::vx + axis],
-                          bundle[stage_place + axis],   bundle[stage_velocity + axis],
-                          bundle[mean_velocity + axis], bundle[mean_acceleration + axis]};
+        const auto stage_a = [&](int stage) { return bundle[stage_acceleration + 2 * stage + axis]; };
+        return Coordinate{bundle[Bundle::x + axis],
+                          bundle[Bundle::vx + axis],
+                          bundle[stage_place + axis],
+                          {stage_a(0), stage_a(1), stage_a(2)}};
     };
     const auto take = [step, x = coordinate(0), y = coordinate(1)](Eigen::Index i,
                                                                    const VectorLanes<width>& a) {
         take_stage<s>(step, a.x, x, i);
         take_stage<s>(step, a.y, y, i);
     };
-    accelerate<width, false>(bundle, s == 0 ? int(Bundle::x) : int(stage_place), begin, end, before, take);
+    accelerate<width, layout>(bundle, s == 0 ? int(Bundle::x) : int(stage_place), begin, end, before, take);
+}
+
+template <int width, Layout layout>
+void take_steps(const Step& step, long steps, Bundle& bundle) {
+    in_blocks<width>(bundle, 4 * steps,
+                     [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
+                         switch (j % 4) {
+                             case 0:
+                                 return take_stage<width, layout, 0>(step, bundle, begin, end, before);
+                             case 1:
+                                 return take_stage<width, layout, 1>(step, bundle, begin, end, before);
+                             case 2:
+                                 return take_stage<width, layout, 2>(step, bundle, begin, end, before);
+                             default:
+                                 return take_stage<width, layout, 3>(step, bundle, begin, end, before);
+                         }
+                     });
 }
 
 }  // namespace
@@ -84,19 +110,10 @@ void runge_kutta_4(const Rope& rope, const Stepping& stepping, State& state, Scr
     bundle.put(state, 0);
     scratch.cost.evaluations += 4 * stepping.steps;
     in_lanes(scratch.instructions, [&](auto width) {
-        in_blocks<width>(bundle, 4 * stepping.steps,
-                         [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-                             switch (j % 4) {
-                                 case 0:
-                                     return take_stages<width, 0>(step, bundle, begin, end, before);
-                                 case 1:
-                                     return take_stages<width, 1>(step, bundle, begin, end, before);
-                                 case 2:
-                                     return take_stages<width, 2>(step, bundle, begin, end, before);
-                                 default:
-                                     return take_stages<width, 3>(step, bundle, begin, end, before);
-                             }
-                         });
+        if (bundle.masses() <= 2 * width)
+            take_steps<width, Layout::few_masses>(step, stepping.steps, bundle);
+        else
+            take_steps<width, Layout::one_rope>(step, stepping.steps, bundle);
     });
     bundle.take(state, 0);
 }

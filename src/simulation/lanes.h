@@ -90,7 +90,7 @@ template <class Task>
 
 // Calls task(width), the width a constant, with all that it calls compiled for these instructions.
 template <class Task>
-void in_lanes(InstructionSet instructions, const Task& task) {
+void in_lanes([[maybe_unused]] InstructionSet instructions, const Task& task) {
 #if defined(__x86_64__)
     if (instructions == InstructionSet::avx512) return in_avx512_lanes(task);
     if (instructions == InstructionSet::avx2) return in_avx2_lanes(task);

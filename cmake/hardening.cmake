@@ -1,10 +1,9 @@
 # What turns a wrong write into a stop instead of a way in; the test package.ProgramIsHardened asks for it.
 include(CheckCXXCompilerFlag)
-include(CheckPIESupported)
-check_pie_supported(LANGUAGES CXX)
 
-target_compile_options(ropesim_options INTERFACE -fstack-protector-strong)
-target_link_options(ropesim_options INTERFACE -Wl,-z,relro,-z,now)
+# Our libraries end in programs, so -fPIE does for them: -fPIC would keep functions from being inlined.
+target_compile_options(ropesim_options INTERFACE -fPIE -fstack-protector-strong)
+target_link_options(ropesim_options INTERFACE -pie -Wl,-z,relro,-z,now)
 # Where the compiler has them for this processor.
 foreach(flag -fstack-clash-protection -fcf-protection)
     string(MAKE_C_IDENTIFIER has${flag} has)

@@ -34,14 +34,15 @@ struct Coordinate {
 
 // Stage s of a step for some masses, from what it has for acceleration without damping. The velocities of the
 // stages follow from their accelerations: to compute them again costs less than to keep them.
-template <int s, class L>
+template <std::size_t s, class L>
 void take_stage(const Step& step, L a, const Coordinate& at, Eigen::Index i) {
     constexpr int width = sizeof(L) / sizeof(double);
     const L x = load<width>(at.x + i);
     std::array<L, s + 1> stage_v;
     std::array<L, s + 1> stage_a;
     stage_v[0] = load<width>(at.v + i);
-    for (std::size_t before = s < 3 && s > 0 ? s - 1 : 0; before < s; ++before) {
+    constexpr std::size_t first = s == 1 || s == 2 ? s - 1 : 0;  // of those that it needs
+    for (std::size_t before = first; before < s; ++before) {
         stage_a[before] = load<width>(at.stage_a[before] + i);
         stage_v[before + 1] = stage_v[0] + nodes[before] * step.size * stage_a[before];
     }
@@ -62,7 +63,7 @@ void take_stage(const Step& step, L a, const Coordinate& at, Eigen::Index i) {
     }
 }
 
-template <int width, Layout layout, int s>
+template <int width, Layout layout, std::size_t s>
 void take_stage(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Index end,
                 ForcesBefore& before) {
     const auto coordinate = [&](int axis) {

@@ -29,7 +29,7 @@ FoundScene find_scene(const std::string& scene) {
     std::error_code unknown;
     if (std::filesystem::status(scene, unknown).type() == std::filesystem::file_type::not_found)
         throw std::runtime_error(no_such_scene(scene));
-    const std::vector<std::uint8_t> bytes = read_file(scene);
+    const std::vector<std::uint8_t> bytes = read_file(scene, largest_scene);
     if (!is_png(bytes))
         return {parse_scene({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, scene), ""};
     const Texts texts = decode_png_texts(bytes, scene);

@@ -102,7 +102,7 @@ TEST_F(BadInput, AsAPath) {
     write("\x1b[31m\n.toml", "[[rope]]");
     write("empty", "");
     for (const std::string path : {"loop", "folder.toml", "\x1b[31m\n.toml", "empty", "", ".", "/", "none",
-                                   "/dev/null", "\xff", "empty/below", "-"})
+                                   "/dev/null", "/dev/zero", "\xff", "empty/below", "-"})
         expect_refused({"render", path});
     expect_refused({"render", repeated("x", 5000)}, "File name too long");
     expect_refused({"render", repeated("./", 3000) + "none"}, "File name too long");

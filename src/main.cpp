@@ -85,6 +85,16 @@ void set_up(CLI::App& app) {
         "Example: ropesim render bridge -o bridge --jobs 2");
 }
 
+int interruptible(const CLI::App& app, const Command& command) {
+    try {
+        return command();
+    } catch (const ropesim::Interrupted& interrupted) {
+        const bool resumes = app.get_option_no_throw("--resume") != nullptr;
+        complain(resumes ? "interrupted; the same command with --resume goes on from here" : "interrupted");
+        return 128 + interrupted.signal;
+    }
+}
+
 int run(int count, char** values) {
     CLI::App app("Simulates mass-spring ropes and renders them off screen into numbered PNG frames.");
     set_up(app);
@@ -105,7 +115,8 @@ int run(int count, char** values) {
         else if (!is_global_option(arguments.back()))
             throw CLI::ValidationError(unknown_command(arguments.back()));
         app.parse(arguments);
-        return commands[static_cast<std::size_t>(row - rows.begin())]();
+        return interruptible(*app.get_subcommand(row->name),
+                             commands[static_cast<std::size_t>(row - rows.begin())]);
     } catch (const CLI::Success& help_or_version) {
         return app.exit(help_or_version);
     } catch (const CLI::ParseError& error) {
@@ -123,9 +134,6 @@ int main(int count, char** values) {
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
             return complain("standard output: cannot write all of it");
         return status;
-    } catch (const ropesim::Interrupted& interrupted) {
-        complain("interrupted; the same command with --resume goes on from here");
-        return 128 + interrupted.signal;
     } catch (const std::bad_alloc&) {
         return complain("out of memory");
     } catch (const std::exception& error) {

@@ -17,19 +17,49 @@ namespace {
 constexpr std::chrono::milliseconds patience{2000};
 constexpr std::chrono::milliseconds between_tries{10};
 
-// False where another process holds it.
-bool take(int descriptor, FolderLock::Kind kind) {
-    const int operation = kind == FolderLock::Kind::alone ? LOCK_EX : LOCK_SH;
-    return ::flock(descriptor, operation | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+// Of shards, each has a lock on one byte of the folder, whose number stands for the clip.
+struct flock byte_lock(short type, off_t start, off_t length) {
+    struct flock lock {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = start;
+    lock.l_len = length;
+    return lock;
+}
+
+// A length of 0 goes to the end.
+bool is_locked_by_others(int descriptor, off_t start, off_t length) {
+    struct flock lock = byte_lock(F_WRLCK, start, length);
+    return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+// False where shards of another clip are at work.
+bool share(int descriptor, const std::string& clip_digest) {
+    const auto byte = static_cast<off_t>(1 + std::stoull(clip_digest.substr(0, 12), nullptr, 16));
+    struct flock ours = byte_lock(F_RDLCK, byte, 1);
+    ::fcntl(descriptor, F_OFD_SETLK, &ours);
+    if (!is_locked_by_others(descriptor, 0, byte) && !is_locked_by_others(descriptor, byte + 1, 0))
+        return true;
+    ours.l_type = F_UNLCK;
+    ::fcntl(descriptor, F_OFD_SETLK, &ours);
+    return false;
+}
+
+// False where another process keeps us out.
+bool take(int descriptor, const std::string& clip_digest) {
+    const bool alone = clip_digest.empty();
+    if (::flock(descriptor, (alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+    return alone || share(descriptor, clip_digest);
 }
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind)
+FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& clip_digest)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0)
         throw std::runtime_error(folder.string() + ": cannot open the folder: " + std::strerror(errno));
-    for (auto waited = std::chrono::milliseconds(0); !take(descriptor_, kind); waited += between_tries) {
+    for (auto waited = std::chrono::milliseconds(0); !take(descriptor_, clip_digest);
+         waited += between_tries) {
         if (waited >= patience) {
             ::close(descriptor_);
             throw std::runtime_error(folder.string() +

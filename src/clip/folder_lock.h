@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace ropesim {
 
@@ -9,11 +10,10 @@ namespace ropesim {
 // file system has no locks (some of networks), nobody is kept out.
 class FolderLock {
   public:
-    enum class Kind { alone, shared };  // shards of one clip share a folder
-
-    // Throws std::runtime_error where another process is at work there and does not end within two seconds
-    // (as helpers of a killed one do, after the frame they are at).
-    FolderLock(const std::filesystem::path& folder, Kind kind);
+    // Of those that name the same clip, by a digest, several share a folder, as its shards; without a name,
+    // none does. Throws std::runtime_error where another process is at work there and does not end within two
+    // seconds (as helpers of a killed one do, after the frame they are at).
+    FolderLock(const std::filesystem::path& folder, const std::string& clip_digest);
     FolderLock(FolderLock&& other) noexcept;
     FolderLock& operator=(FolderLock&&) = delete;
     ~FolderLock();

@@ -140,15 +140,16 @@ std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& option
 
 }  // namespace
 
-FolderLock prepare_folder(const ClipOptions& options) {
+FolderLock prepare_folder(const Scene& scene, const ClipOptions& options) {
     std::error_code error;
     std::filesystem::create_directory(options.folder, error);
     if (error)
         throw std::runtime_error(options.folder.string() + ": cannot make the folder: " + error.message());
     if (!std::filesystem::is_directory(options.folder))
         throw std::runtime_error(options.folder.string() + ": expected a folder for the frames");
+    const bool alone = options.shard.count == 1;
     FolderLock lock(options.folder,
-                    options.shard.count > 1 ? FolderLock::Kind::shared : FolderLock::Kind::alone);
+                    alone ? "" : digest(version() + options.positions_digest + to_toml(scene)));
     remove_stale_temporaries(options.folder);
     const FrameList there = in_shard(frames_in(options.folder), options.shard);
     if (options.existing == Existing::refuse && !there.empty())

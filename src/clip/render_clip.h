@@ -41,7 +41,7 @@ struct ClipResult {
 // Makes the folder where needed and keeps others out of it, for as long as the lock is kept. Throws
 // std::runtime_error where its parent is missing, it is no folder, another process is writing there, or it
 // holds frames and `existing` says refuse.
-[[nodiscard]] FolderLock prepare_folder(const ClipOptions& options);
+[[nodiscard]] FolderLock prepare_folder(const Scene& scene, const ClipOptions& options);
 
 // Renders the frames into the folder, where the simulation (in frame 0) takes the ropes or where `given` says
 // they are, then writes clip.json, which needs the simulation to go to the scene's last frame. It names these

@@ -199,7 +199,7 @@ int compare(const CompareOptions& options) {
     clip.folder = options.folder;
     clip.existing = options.overwrite ? Existing::overwrite : Existing::refuse;
     if (!as_strip) selected_frames(options.frames, scene);
-    const FolderLock lock = prepare_folder(clip);
+    const FolderLock lock = prepare_folder(scene, clip);
     remove_manifest(options.folder);  // these are no frames that it could speak of
     Simulation simulation(
         scene, options.scene.no_error ? Simulation::Errors::left_out : Simulation::Errors::estimated);

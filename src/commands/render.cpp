@@ -160,7 +160,7 @@ int render(const RenderOptions& options) {
     Positions given;
     if (!simulating) given = given_positions(scene, options, clip);
     if (!options.video.empty()) check_video(options.video, clip.frames);
-    const FolderLock lock = prepare_folder(clip);
+    const FolderLock lock = prepare_folder(scene, clip);
     Simulation simulation(scene, simulating && !options.scene.no_error ? Simulation::Errors::estimated
                                                                        : Simulation::Errors::left_out);
     if (simulating)

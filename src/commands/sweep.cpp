@@ -157,7 +157,7 @@ class PointWorker {
         clip.frames = parse_frames(options_.frames, scene.frames);
         clip.jobs = 1;
         clip.existing = options_.overwrite ? Existing::overwrite : Existing::resume;
-        const FolderLock lock = prepare_folder(clip);
+        const FolderLock lock = prepare_folder(scene, clip);
         render_clip(scene, simulation, nullptr, clip);
     }
 

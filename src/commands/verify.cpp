@@ -89,7 +89,7 @@ void repair(const VerifyOptions& options, const Manifest& manifest, const FrameL
     clip.show_progress = !options.quiet;
     clip.positions_digest = manifest.positions_digest;
     const Positions given = given_positions(options, manifest, frames);
-    const FolderLock lock = prepare_folder(clip);
+    const FolderLock lock = prepare_folder(manifest.scene, clip);
     if (frames.empty()) return;
     Simulation simulation(manifest.scene,
                           manifest.has_errors ? Simulation::Errors::estimated : Simulation::Errors::left_out);

@@ -38,7 +38,7 @@ ClipOptions into(const std::filesystem::path& folder, const Scene& scene) {
 
 ClipResult render(const Scene& scene, const ClipOptions& options) {
     Simulation simulation(scene, Simulation::Errors::estimated);
-    const FolderLock lock = prepare_folder(options);
+    const FolderLock lock = prepare_folder(scene, options);
     return render_clip(scene, simulation, nullptr, options);
 }
 
@@ -105,7 +105,7 @@ TEST_F(RenderClip, SaysThatAJobFailed) {
     ClipOptions two_jobs = into(folder, scene);
     two_jobs.jobs = 2;
     Simulation simulation(scene, Simulation::Errors::estimated);
-    const FolderLock lock = prepare_folder(two_jobs);
+    const FolderLock lock = prepare_folder(scene, two_jobs);
     std::filesystem::create_directory(folder / "frame_0000.png");  // where nothing can be renamed to
     std::filesystem::create_directory(folder / "frame_0000.png" / "occupied");
     EXPECT_THROW(render_clip(scene, simulation, nullptr, two_jobs), std::runtime_error);
@@ -133,7 +133,7 @@ TEST_F(RenderClip, IsMadeAgainFromOneOfItsFrames) {
 TEST_F(RenderClip, RefusesAFolderThatHoldsFrames) {
     write_file(temporary.path() / "frame_0003.png", std::string_view("of something else"));
     try {
-        const FolderLock lock = prepare_folder(into(temporary.path(), scene));
+        const FolderLock lock = prepare_folder(scene, into(temporary.path(), scene));
         FAIL();
     } catch (const std::runtime_error& error) {
         EXPECT_THAT(error.what(), HasSubstr("already holds frames (3); --resume keeps those of this clip"));
@@ -143,15 +143,19 @@ TEST_F(RenderClip, RefusesAFolderThatHoldsFrames) {
 
 TEST_F(RenderClip, KeepsOthersOutOfItsFolder) {
     ClipOptions options = into(folder, scene);
-    std::optional<FolderLock> lock = prepare_folder(options);
+    std::optional<FolderLock> lock = prepare_folder(scene, options);
     options.shard = {1, 2};
-    EXPECT_THROW(std::ignore = prepare_folder(options), std::runtime_error) << "a shard, into a whole render";
+    EXPECT_THROW(std::ignore = prepare_folder(scene, options), std::runtime_error)
+        << "a shard, into a whole render";
     lock.reset();
-    lock.emplace(prepare_folder(options));
+    lock.emplace(prepare_folder(scene, options));
     options.shard = {0, 2};
-    { const FolderLock of_a_shard = prepare_folder(options); }
+    { const FolderLock of_a_shard = prepare_folder(scene, options); }
+    Scene changed = scene;
+    changed.gravity[1] = -2.0;
+    EXPECT_THROW(std::ignore = prepare_folder(changed, options), std::runtime_error) << "of another clip";
     try {
-        std::ignore = prepare_folder(into(folder, scene));
+        std::ignore = prepare_folder(scene, into(folder, scene));
         FAIL() << "a whole render, beside a shard";
     } catch (const std::runtime_error& error) {
         EXPECT_THAT(error.what(), HasSubstr("another ropesim is writing frames there"));
@@ -159,10 +163,10 @@ TEST_F(RenderClip, KeepsOthersOutOfItsFolder) {
 }
 
 TEST_F(RenderClip, NeedsTheParentOfItsFolder) {
-    EXPECT_THROW(std::ignore = prepare_folder(into(folder / "deeper", scene)), std::runtime_error);
+    EXPECT_THROW(std::ignore = prepare_folder(scene, into(folder / "deeper", scene)), std::runtime_error);
     EXPECT_FALSE(std::filesystem::exists(folder));
     write_file(folder, std::string_view("a file"));
-    EXPECT_THROW(std::ignore = prepare_folder(into(folder, scene)), std::runtime_error);
+    EXPECT_THROW(std::ignore = prepare_folder(scene, into(folder, scene)), std::runtime_error);
 }
 
 TEST_F(RenderClip, ResumeMakesOnlyWhatIsNotThereWholeOrIsOfAnotherScene) {

@@ -30,7 +30,7 @@ class VerifyClip : public testing::Test {
         options.shard = shard;
         options.existing = Existing::overwrite;
         Simulation simulation(of, Simulation::Errors::left_out);
-        const FolderLock lock = prepare_folder(options);
+        const FolderLock lock = prepare_folder(of, options);
         render_clip(of, simulation, nullptr, options);
     }
 

@@ -1,5 +1,7 @@
 #include "clip/frames.h"
 
+#include "scene/words.h"
+
 #include <algorithm>
 #include <charconv>
 #include <iterator>
@@ -25,7 +27,7 @@ FrameList::Range parse_range(std::string_view text, long frames) {
     const std::optional<long> last =
         after.empty() && colon != std::string_view::npos ? frames - 1 : parse_count(after);
     if (!first || !last || *first > *last)
-        throw std::runtime_error("frames '" + std::string(text) +
+        throw std::runtime_error("frames '" + printable(text) +
                                  "' are no number or range; expected such as 2,4,10:20,90:");
     if (*last >= frames)
         throw std::runtime_error("frame " + std::to_string(*last) +
@@ -98,7 +100,7 @@ Shard parse_shard(std::string_view text) {
         const auto count = parse_count(text.substr(slash + 1));
         if (index && count && *index < *count) return {*index, *count};
     }
-    throw std::runtime_error("shard '" + std::string(text) + "' is not I/N with 0 <= I < N, such as 0/4");
+    throw std::runtime_error("shard '" + printable(text) + "' is not I/N with 0 <= I < N, such as 0/4");
 }
 
 FrameList parse_frames(std::string_view text, long frames) {

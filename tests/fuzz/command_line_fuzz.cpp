@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "fuzz/target.h"
 #include "scene/words.h"
+#include "sweep/sweep.h"
 
 #include <CLI/CLI.hpp>
 
@@ -40,7 +41,8 @@ void try_command(Command (*make)(CLI::App&), std::vector<std::string> arguments)
 }
 
 // What commands read out of an option's text.
-void try_numbers(const std::string& argument) {
+void try_values(const std::string& argument) {
+    static const Scene seed = parse_scene(builtin_scenes().front().toml, "seed");
     try {
         if (parse_frames(argument, 100).back() >= 100) break_off("a frame past the end");
     } catch (const std::runtime_error& error) {
@@ -52,6 +54,11 @@ void try_numbers(const std::string& argument) {
     } catch (const std::runtime_error& error) {
         require_plain(error.what());
     }
+    try {
+        if (make_sweep(seed, {argument}).points() < 1) break_off("a sweep of no points");
+    } catch (const std::runtime_error& error) {
+        require_plain(error.what());
+    }
 }
 
 }  // namespace
@@ -59,8 +66,9 @@ void try_numbers(const std::string& argument) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const std::vector<std::string> arguments = lines({reinterpret_cast<const char*>(bytes), size});
     for (Command (*make)(CLI::App&) :
-         {render_command, simulate_command, compare_command, plan_command, diff_command, scenes_command})
+         {render_command, simulate_command, compare_command, study_command, plan_command, sweep_command,
+          submit_command, diff_command, verify_command, scenes_command})
         try_command(make, arguments);
-    for (const std::string& argument : arguments) try_numbers(argument);
+    for (const std::string& argument : arguments) try_values(argument);
     return 0;
 }

@@ -40,7 +40,8 @@ struct KnownKeys {
     std::vector<std::string_view> all() const {
         std::vector<std::string_view> result = top.keys;
         result.insert(result.end(), clip.keys.begin(), clip.keys.end());
-        result.insert(result.end(), rope.keys.begin(), rope.keys.end());
+        for (const std::string_view key : rope.keys)
+            if (!clip.has(key)) result.push_back(key);
         return result;
     }
 };

@@ -12,9 +12,6 @@ struct PixelBox {
     bool empty() const { return left >= right || top >= bottom; }
 };
 
-// The smallest box that holds both.
-PixelBox united(const PixelBox& a, const PixelBox& b);
-
 // What both hold.
 PixelBox intersection(const PixelBox& a, const PixelBox& b);
 

@@ -20,5 +20,18 @@ TEST(Image, RowsGoFromTopToBottomWithoutPadding) {
     EXPECT_EQ(pixel(image, 2, 1), (Color{7, 8, 9}));
 }
 
+TEST(Image, PastedIsWhereItIsPutAndNowhereElse) {
+    Image onto = filled(4, 3, {1, 1, 1});
+    Image from = filled(2, 2, {7, 8, 9});
+    set_pixel(from, 1, 0, {2, 3, 4});
+    paste(from, onto, 2, 1);
+    Image expected = filled(4, 3, {1, 1, 1});
+    set_pixel(expected, 2, 1, {7, 8, 9});
+    set_pixel(expected, 3, 1, {2, 3, 4});
+    set_pixel(expected, 2, 2, {7, 8, 9});
+    set_pixel(expected, 3, 2, {7, 8, 9});
+    EXPECT_EQ(onto, expected);
+}
+
 }  // namespace
 }  // namespace ropesim

@@ -9,16 +9,16 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
-#include <cstring>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace ropesim {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int error = errno) {
-    throw std::runtime_error(path.string() + ": " + what + ": " + std::strerror(error));
+    throw std::runtime_error(path.string() + ": " + what + ": " + std::generic_category().message(error));
 }
 
 void check_size(const std::filesystem::path& path, std::uint64_t size, std::uint64_t largest) {

@@ -6,8 +6,8 @@
 
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -57,7 +57,8 @@ bool take(int descriptor, const std::string& clip_digest) {
 FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& clip_digest)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0)
-        throw std::runtime_error(folder.string() + ": cannot open the folder: " + std::strerror(errno));
+        throw std::runtime_error(folder.string() +
+                                 ": cannot open the folder: " + std::generic_category().message(errno));
     for (auto waited = std::chrono::milliseconds(0); !take(descriptor_, clip_digest);
          waited += between_tries) {
         if (waited >= patience) {

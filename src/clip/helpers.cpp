@@ -20,6 +20,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace ropesim {
@@ -162,7 +163,7 @@ Helpers::~Helpers() {
 void Helpers::start() {
     std::array<int, 2> ends;
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        throw std::runtime_error(std::string("cannot start a job: ") + std::strerror(errno));
+        throw std::runtime_error("cannot start a job: " + std::generic_category().message(errno));
     const pid_t process = ::fork();
     if (process == 0) {
         for (const Helper& other : helpers_) ::close(other.socket);
@@ -173,7 +174,7 @@ void Helpers::start() {
     ::close(ends[1]);
     if (process < 0) {
         ::close(ends[0]);
-        throw std::runtime_error(std::string("cannot start a job: ") + std::strerror(error));
+        throw std::runtime_error("cannot start a job: " + std::generic_category().message(error));
     }
     helpers_.push_back({process, ends[0], {}});
 }
@@ -231,7 +232,8 @@ void Helpers::bury(std::size_t helper) {
     if (signal_of(status) == 0) throw std::runtime_error("a job failed; --resume does what it left");
     any_died_ = true;
     std::fprintf(stderr, "ropesim: a job was ended by signal %d (%s); its frames are drawn again\n",
-                 signal_of(status), ::strsignal(signal_of(status)));
+                 signal_of(status),
+                 ::strsignal(signal_of(status)));  // NOLINT(concurrency-mt-unsafe): nothing else asks
     for (const std::vector<std::byte>& message : dead.undrawn) {
         FrameHeader header;
         std::memcpy(&header, message.data(), sizeof header);

@@ -62,7 +62,7 @@ nlohmann::ordered_json error_json(const RopeError& error) {
     json["worst_px"] = rounded(worst.pixels);
     json["worst_frame"] = worst.frame;
     json["last_px"] = nullptr;
-    if (error.last()) json["last_px"] = rounded(*error.last());
+    if (const auto last = error.last()) json["last_px"] = rounded(*last);
     json["px"] = frame_errors_here;
     return json;
 }

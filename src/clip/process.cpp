@@ -9,11 +9,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 namespace ropesim {
 namespace {
@@ -26,7 +26,7 @@ struct Pipe {
     Pipe() {
         std::array<int, 2> ends;
         if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-            throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
+            throw std::runtime_error("cannot make a pipe: " + std::generic_category().message(errno));
         read_end = ends[0];
         write_end = ends[1];
     }
@@ -56,7 +56,8 @@ pid_t start(const std::vector<std::string>& command, const std::filesystem::path
     pid_t process = 0;
     const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw std::runtime_error("cannot run " + command[0] + ": " + std::strerror(error));
+    if (error != 0)
+        throw std::runtime_error("cannot run " + command[0] + ": " + std::generic_category().message(error));
     return process;
 }
 

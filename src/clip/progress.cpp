@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace ropesim {
@@ -24,7 +25,7 @@ void Progress::done(long count) {
     last_shown_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double rate = static_cast<double>(done_) / seconds;
-    const long left = static_cast<long>(static_cast<double>(count_ - done_) / rate + 0.5);
+    const long left = std::lround(static_cast<double>(count_ - done_) / rate);
     std::fprintf(stderr, "\r%ld of %ld %s, %.3g per second, %ld:%02ld left\x1b[K", done_, count_, what_, rate,
                  left / 60, left % 60);
     std::fflush(stderr);

@@ -109,7 +109,7 @@ FrameList frames_known(const Scene& scene, const ClipOptions& options) {
         if (manifest.version == version() && manifest.scene == scene &&
             manifest.positions_digest == options.positions_digest)
             return manifest.frames;
-    } catch (const std::runtime_error&) {
+    } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): as if there were none
         // it is no clip.json that anyone could go by
     }
     remove_manifest(options.folder);

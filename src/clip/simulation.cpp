@@ -70,7 +70,8 @@ std::string error_of(const Simulation& simulation, std::size_t rope) {
     const RopeError& error = *simulation.error(rope);
     const std::string worst = simulation.runs()[rope].description->name + ' ' + to_string(error.worst());
     if (simulation.diverged(rope)) return worst + " until it diverged";
-    return worst + " (last " + (error.last() ? pixels(*error.last()) : "unknown") + ')';
+    const auto last = error.last();
+    return worst + " (last " + (last ? pixels(*last) : "unknown") + ')';
 }
 
 }  // namespace

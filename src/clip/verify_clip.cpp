@@ -46,7 +46,7 @@ std::string fault_of(const std::filesystem::path& path, long frame, const Manife
     try {
         const std::vector<std::uint8_t> bytes = read_file(path);
         const Image image = decode_png(bytes, path.string());
-        const std::string fault = fault_of_texts(decode_png_texts(bytes, path.string()), frame, manifest);
+        std::string fault = fault_of_texts(decode_png_texts(bytes, path.string()), frame, manifest);
         const auto [width, height] = manifest.scene.size;
         if (!fault.empty() || (image.width == width && image.height == height)) return fault;
         return "broken: " + size_text(image.width, image.height) + " pixels, expected " +

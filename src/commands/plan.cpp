@@ -62,10 +62,10 @@ void say(const char* role, const Candidate& candidate, double seconds, double sh
 }
 
 // The neighbours of the choice among the trials that nothing beats.
-void say_what_would_change(const Plan& plan) {
+void say_what_would_change(const Plan& plan, const Candidate& choice) {
     const std::vector<Candidate> front = efficient(plan);
     for (std::size_t i = 0; i < front.size(); ++i) {
-        if (front[i].method != plan.choice->method || front[i].steps != plan.choice->steps) continue;
+        if (front[i].method != choice.method || front[i].steps != choice.steps) continue;
         if (i > 0)
             std::printf("  %-11s from %.3g px on: %s\n", "looser", front[i - 1].error,
                         title(front[i - 1]).c_str());
@@ -108,7 +108,7 @@ bool plan_rope(const PlanOptions& options, const Scene& scene, SceneRope& rope) 
     for (std::size_t i = 1; i < candidates.size(); ++i)
         say(i == 1 && rope.method != auto_method ? "as written" : "runner-up", candidates[i], seconds[i],
             seconds[i] / seconds[0]);
-    say_what_would_change(found);
+    say_what_would_change(found, *found.choice);
     say_how_far_it_can_be_known(its_problem, found);
     rope = planned_rope(rope, its_problem, *found.choice);
     return true;

@@ -75,6 +75,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
 void set_size(Scene& scene, const std::string& text) {
     if (text.empty()) return;
     int read = 0;
+    // NOLINTNEXTLINE(cert-err34-c): seven digits fit, and an end elsewhere is told by the count read
     if (std::sscanf(text.c_str(), "%7dx%7d%n", &scene.size[0], &scene.size[1], &read) != 2 ||
         static_cast<std::size_t>(read) != text.size())
         throw CLI::ValidationError("--size", "'" + text + "' is no size; expected WxH, such as 1280x720");
@@ -128,7 +129,7 @@ void say_what_was_planned(const Scene& as_written, const Scene& planned) {
     for (std::size_t i = 0; i < planned.ropes.size(); ++i)
         if (as_written.ropes[i].method == auto_method)
             std::printf("rope '%s': planned %s, %d steps per frame\n", planned.ropes[i].name.c_str(),
-                        planned.ropes[i].method.c_str(), *planned.ropes[i].steps_per_frame);
+                        planned.ropes[i].method.c_str(), steps_per_frame(planned, planned.ropes[i]));
 }
 
 int render(const RenderOptions& options) {

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -46,7 +47,7 @@ void add_options(CLI::App& app, SubmitOptions& options) {
 }
 
 std::string percent(double share) {
-    return std::to_string(static_cast<int>(100.0 * share + 0.5)) + " %";
+    return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
 // Says why.

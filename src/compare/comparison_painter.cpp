@@ -117,8 +117,8 @@ ComparisonPainter::ComparisonPainter(const Scene& scene, const Parting& parting,
 }
 
 std::string ComparisonPainter::distance_up_to(std::size_t run, long frame) const {
-    if (parting_.diverged[run] && *parting_.diverged[run] <= frame)
-        return ", diverged in frame " + std::to_string(*parting_.diverged[run]);
+    const auto& diverged = parting_.diverged[run];
+    if (diverged && *diverged <= frame) return ", diverged in frame " + std::to_string(*diverged);
     if (run == 0) return "";
     return ": up to " + pixels(parting_.frames[static_cast<std::size_t>(frame)][run].farthest) + " apart";
 }

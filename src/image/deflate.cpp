@@ -49,7 +49,7 @@ constexpr Ranged ranged_length(std::uint16_t length) {
 // By length.
 constexpr auto ranged_lengths = [] {
     std::array<Ranged, longest_repetition + 1> all{};
-    for (std::uint16_t length = shortest_repetition; length < all.size(); ++length)
+    for (std::uint16_t length = shortest_repetition; length <= longest_repetition; ++length)
         all[length] = ranged_length(length);
     return all;
 }();
@@ -243,7 +243,7 @@ void BlockWriter::add(std::span<const Token> tokens) {
 }
 
 std::vector<Bits> BlockWriter::bits_of(std::span<const Token> tokens) const {
-    std::vector<Bits> all{{}};
+    std::vector<Bits> all(1);
     for (const Token& token : tokens) {
         const Bits next = bits_of(token);
         if (all.back().count + next.count > 56) all.push_back({});

@@ -38,6 +38,7 @@ void check_known(std::string_view wanted) {
 std::unique_ptr<OffscreenContext> make_context() {
     const char* wanted = std::getenv("ROPESIM_CONTEXT");
     if (wanted) check_known(wanted);
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
     setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
     std::string failures;
     std::string packages;

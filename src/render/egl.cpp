@@ -39,10 +39,11 @@ EglFunctions load_egl() {
     return egl;
 }
 
-class EglContext : public OffscreenContext {
+class EglContext final : public OffscreenContext {
   public:
     EglContext() : egl_(load_egl()) {
         // The same driver as OSMesa's, llvmpipe, also where there is a graphics card.
+        // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", /*overwrite=*/0);
         open_display();
         open_context();

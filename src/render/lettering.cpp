@@ -96,7 +96,8 @@ void lay(const FT_GlyphSlotRec& letter, int pen, int baseline, Lettering& line) 
             const int x = pen + letter.bitmap_left + column;
             const int y = baseline - letter.bitmap_top + row;
             if (x < 0 || x >= line.width || y < 0 || y >= line.height) continue;
-            std::uint8_t& covered = line.coverage[static_cast<std::size_t>(y * line.width + x)];
+            const std::size_t row_begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(line.width);
+            std::uint8_t& covered = line.coverage[row_begin + static_cast<std::size_t>(x)];
             covered = std::max(covered, bitmap.buffer[row * bitmap.pitch + column]);
         }
     }
@@ -107,7 +108,7 @@ Lettering set_line(const Font& font, std::string_view text, int widest) {
     Lettering line;
     line.width = std::clamp(pixels_up(width(font, characters)), 0, std::max(widest, 0));
     line.height = font.ascent() + font.descent();
-    line.coverage.resize(static_cast<std::size_t>(line.width * line.height));
+    line.coverage.resize(static_cast<std::size_t>(line.width) * static_cast<std::size_t>(line.height));
     FT_Pos pen = 0;
     for (const char32_t character : characters) {
         const FT_Pos advance = font.load(character);

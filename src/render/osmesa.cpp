@@ -45,7 +45,7 @@ OsmesaFunctions load_osmesa() {
     return osmesa;
 }
 
-class OsmesaContext : public OffscreenContext {
+class OsmesaContext final : public OffscreenContext {
   public:
     OsmesaContext() : osmesa_(load_osmesa()) {
         const std::array attributes = {osmesa_format,
@@ -87,7 +87,7 @@ class OsmesaContext : public OffscreenContext {
 
     OsmesaFunctions osmesa_;
     void* context_ = nullptr;
-    std::array<unsigned char, buffer_side * buffer_side * 4> buffer_{};
+    std::array<unsigned char, std::size_t{4} * buffer_side * buffer_side> buffer_{};
 };
 
 }  // namespace

@@ -74,7 +74,7 @@ struct Renderer::Parts {
           rope_painter(gl, width, height),
           words_painter(width, height, words),
           image(filled(width, height, background)),
-          empty_row(image.rgb.begin(), image.rgb.begin() + 3 * width),
+          empty_row(image.rgb.begin(), image.rgb.begin() + 3L * width),
           ropes(words_painter.covered()),  // so that the first picture changes them
           inked(width, height),
           changed(width, height) {}

@@ -47,7 +47,7 @@ void WordsPainter::paint(const PixelBox& box, Image& image) const {
             const std::uint8_t* const coverage =
                 &lettering.coverage[index(part.left - at.left, y - at.top, lettering.width)];
             std::uint8_t* const pixels = &image.rgb[3 * index(part.left, y, image.width)];
-            for (int i = 0; i < part.right - part.left; ++i) mix(color, coverage[i], pixels + 3 * i);
+            for (int i = 0; i < part.right - part.left; ++i) mix(color, coverage[i], pixels + 3L * i);
         }
     }
 }

@@ -97,7 +97,7 @@ VectorLanes<width> acceleration_lanes(const Lanes<width>& weight, const VectorLa
 }
 
 // The last forces before a place in a bundle, lanes x and then y, for the loop that goes on from there.
-using ForcesBefore = std::array<double, 2 * Bundle::most_ropes>;
+using ForcesBefore = std::array<double, std::size_t{2} * Bundle::most_ropes>;
 
 // Where the masses are that come after those of a vector. Of ropes side by side, one vector further. Of one
 // rope, one element further; of one with `few` masses, which have just been moved, by shifting whole vectors,
@@ -133,7 +133,7 @@ void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Inde
     Lanes<width> pull = pull_lanes(spring, link);
     LinkLanes<width> link_after = link_from(begin + width);
     for (Eigen::Index i = begin; i < end; i += width) {
-        const LinkLanes<width> second_link_after = link_from(i + 2 * width);
+        const LinkLanes<width> second_link_after = link_from(i + 2L * width);
         const Lanes<width> pull_after = pull_lanes(spring, link_after);
         const VectorLanes<width> force = force_lanes<width>(pull, link.d, links - i);
         const VectorLanes<width> force_before = side_by_side ? last : shifted_up(last, force);

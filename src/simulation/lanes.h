@@ -49,17 +49,23 @@ inline Lanes<8> square_root(const Lanes<8>& s) {
 // The last lane of `before`, then all but the last of `lanes`.
 template <int width>
 Lanes<width> shifted_up(const Lanes<width>& before, const Lanes<width>& lanes) {
-    if constexpr (width == 2) return __builtin_shufflevector(before, lanes, 1, 2);
-    if constexpr (width == 4) return __builtin_shufflevector(before, lanes, 3, 4, 5, 6);
-    if constexpr (width == 8) return __builtin_shufflevector(before, lanes, 7, 8, 9, 10, 11, 12, 13, 14);
+    if constexpr (width == 2)
+        return __builtin_shufflevector(before, lanes, 1, 2);
+    else if constexpr (width == 4)
+        return __builtin_shufflevector(before, lanes, 3, 4, 5, 6);
+    else
+        return __builtin_shufflevector(before, lanes, 7, 8, 9, 10, 11, 12, 13, 14);
 }
 
 // All but the first of `lanes`, then the first lane of `after`.
 template <int width>
 Lanes<width> shifted_down(const Lanes<width>& lanes, const Lanes<width>& after) {
-    if constexpr (width == 2) return __builtin_shufflevector(lanes, after, 1, 2);
-    if constexpr (width == 4) return __builtin_shufflevector(lanes, after, 1, 2, 3, 4);
-    if constexpr (width == 8) return __builtin_shufflevector(lanes, after, 1, 2, 3, 4, 5, 6, 7, 8);
+    if constexpr (width == 2)
+        return __builtin_shufflevector(lanes, after, 1, 2);
+    else if constexpr (width == 4)
+        return __builtin_shufflevector(lanes, after, 1, 2, 3, 4);
+    else
+        return __builtin_shufflevector(lanes, after, 1, 2, 3, 4, 5, 6, 7, 8);
 }
 
 // 0, 1, 2, ...

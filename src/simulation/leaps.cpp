@@ -230,7 +230,7 @@ template <int width, Sums sums>
 void leap_in_lanes(const Leaps& leaps, Bundle& bundle) {
     if (bundle.ropes() > 1) return leap_through_memory<width, Layout::side_by_side, sums>(leaps, bundle);
     if (bundle.masses() <= width) return leap_in_registers<width, 1, sums>(leaps, bundle);
-    if (bundle.masses() <= 2 * width) return leap_in_registers<width, 2, sums>(leaps, bundle);
+    if (bundle.masses() <= 2L * width) return leap_in_registers<width, 2, sums>(leaps, bundle);
     leap_through_memory<width, Layout::one_rope, sums>(leaps, bundle);
 }
 

@@ -3,7 +3,7 @@
 namespace ropesim {
 namespace {
 
-class MethodSolver : public Solver {
+class MethodSolver final : public Solver {
   public:
     MethodSolver(const Problem& problem, const Method& method, long steps_per_frame)
         : rope_(problem.rope), method_(method), stepping_(stepping(problem, steps_per_frame)) {

@@ -68,7 +68,7 @@ Points points(const ArrayXd& place) {
 }
 
 template <class Stepper>
-class FixedSteps : public Solver {
+class FixedSteps final : public Solver {
   public:
     FixedSteps(const Problem& problem, long steps)
         : rope_(problem.rope), stepping_(stepping(problem, steps)) {
@@ -105,7 +105,7 @@ void derivative(const Rope& rope, const ArrayXd& y, ArrayXd& result, Scratch& sc
 
 // Steps as the controller wants them, but for the last of each frame, which ends on it.
 template <class Stepper>
-class AdaptiveSteps : public Solver {
+class AdaptiveSteps final : public Solver {
   public:
     AdaptiveSteps(const Problem& problem, double tolerance)
         : rope_(problem.rope), frame_time_(problem.frame_time), tolerance_(tolerance) {

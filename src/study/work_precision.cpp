@@ -27,7 +27,7 @@ std::vector<double> ladder_of_steps() {
     std::vector<double> steps{1.0};
     for (long power = 2; power <= most_steps_of_ladder; power *= 2) {
         steps.push_back(static_cast<double>(power));
-        steps.push_back(static_cast<double>(power + power / 2));
+        steps.push_back(1.5 * static_cast<double>(power));
     }
     return steps;
 }

@@ -43,8 +43,9 @@ std::vector<std::string_view> parts(std::string_view text, char mark) {
 // NaN where it is no number.
 double number(std::string_view text) {
     double result = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, result);
+    const char* const begin = text.data();
+    const char* const end = begin + text.size();
+    const auto read = std::from_chars(begin, end, result);
     return read.ec == std::errc() && read.ptr == end ? result : std::nan("");
 }
 

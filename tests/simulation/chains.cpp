@@ -8,7 +8,7 @@
 
 namespace ropesim {
 
-Rope straight_rope(int masses, Eigen::Array2d direction, Eigen::Array2d gravity) {
+Rope straight_rope(int masses, const Eigen::Array2d& direction, const Eigen::Array2d& gravity) {
     Rope rope;
     rope.start.resize(masses, 2);
     for (int i = 0; i < masses; ++i) rope.start.row(i) = i * direction.transpose();

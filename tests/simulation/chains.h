@@ -10,7 +10,7 @@ namespace ropesim {
 // Ropes that the tests share, and what mathematics says of them.
 
 // A straight rope of unit spacing from the origin along `direction` (a unit vector), mass 0 pinned.
-Rope straight_rope(int masses, Eigen::Array2d direction, Eigen::Array2d gravity);
+Rope straight_rope(int masses, const Eigen::Array2d& direction, const Eigen::Array2d& gravity);
 
 // The seed's rope: from (0, 200) to (-400, 200), mass 0 pinned, k = 100.
 Rope seed_rope(int masses);

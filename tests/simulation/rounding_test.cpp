@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <string>
 
 namespace ropesim {
 namespace {
@@ -29,7 +30,7 @@ TEST_P(Rounding, StaysBelowAHundredMillionthOfAPixel) {
     const Points expected = turned(positions_at(rope, GetParam(), stepping(1.0, 4096), 20));
     const Points actual = positions_at(other, GetParam(), stepping(1.0, 4096), 20);
     const double floor = greatest_distance(expected, actual);
-    std::printf("%-22s %.2g px\n", GetParam().name.data(), floor);
+    std::printf("%-22s %.2g px\n", std::string(GetParam().name).c_str(), floor);
     EXPECT_LT(floor, 1e-8);
     EXPECT_GT(floor, 0.0);
 }

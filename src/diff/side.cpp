@@ -59,12 +59,12 @@ Side side(const Comparison& comparison, Which which) {
     } catch (const std::runtime_error& error) {
         side.problem = error.what();
     }
-    if (side.scene) read_positions(comparison, which, side);
+    read_positions(comparison, which, side);
     return side;
 }
 
 void read_positions(const Comparison& comparison, Which which, Side& side) {
-    if (!comparison.folders) return;
+    if (!comparison.folders || !side.scene) return;
     for (const char* name : {"positions.csv", "positions.npy"}) {
         const std::filesystem::path path = folder_of(comparison, which) / name;
         if (!std::filesystem::is_regular_file(path)) continue;

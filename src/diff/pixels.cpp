@@ -41,10 +41,10 @@ class Counter {
     void add_row(const std::uint8_t* expected, const std::uint8_t* actual, int y) {
         if (std::memcmp(expected, actual, plain_.size()) == 0) {
             if (std::memcmp(expected, plain_.data(), plain_.size()) == 0) return;
-            for (int x = 0; x < width_; ++x) found_.drawn += is_drawn(expected + 3 * x);
+            for (int x = 0; x < width_; ++x) found_.drawn += is_drawn(expected + 3L * x);
             return;
         }
-        for (int x = 0; x < width_; ++x) add_pixel(expected + 3 * x, actual + 3 * x, x, y);
+        for (int x = 0; x < width_; ++x) add_pixel(expected + 3L * x, actual + 3L * x, x, y);
     }
 
     PixelDifference found() const {

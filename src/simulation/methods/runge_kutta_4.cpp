@@ -32,10 +32,10 @@ struct Coordinate {
     std::array<double*, 3> stage_a;  // of stages 0, 1, 2
 };
 
-// Stage s of a step for some masses, from what it has for acceleration without damping. The velocities of the
-// stages follow from their accelerations: to compute them again costs less than to keep them.
+// Stage s of a step for some masses, once their accelerations without damping are known. The velocities of
+// the stages follow from their accelerations: to compute them again costs less than to keep them.
 template <std::size_t s, class L>
-void take_stage(const Step& step, L a, const Coordinate& at, Eigen::Index i) {
+void finish_stage(const Step& step, const L& undamped_a, const Coordinate& at, Eigen::Index i) {
     constexpr int width = sizeof(L) / sizeof(double);
     const L x = load<width>(at.x + i);
     std::array<L, s + 1> stage_v;
@@ -46,10 +46,10 @@ void take_stage(const Step& step, L a, const Coordinate& at, Eigen::Index i) {
         stage_a[before] = load<width>(at.stage_a[before] + i);
         stage_v[before + 1] = stage_v[0] + nodes[before] * step.size * stage_a[before];
     }
-    if (step.damping != 0.0) a = a - step.damping * stage_v[s];
-    stage_a[s] = a;
+    stage_a[s] = undamped_a;
+    if (step.damping != 0.0) stage_a[s] = stage_a[s] - step.damping * stage_v[s];
     if constexpr (s < 3) {
-        store(at.stage_a[s] + i, a);
+        store(at.stage_a[s] + i, stage_a[s]);
         store(at.stage_x + i, x + nodes[s] * step.size * stage_v[s]);
     } else {
         L mean_v{};
@@ -75,8 +75,8 @@ void take_stage(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Ind
     };
     const auto take = [step, x = coordinate(0), y = coordinate(1)](Eigen::Index i,
                                                                    const VectorLanes<width>& a) {
-        take_stage<s>(step, a.x, x, i);
-        take_stage<s>(step, a.y, y, i);
+        finish_stage<s>(step, a.x, x, i);
+        finish_stage<s>(step, a.y, y, i);
     };
     accelerate<width, layout>(bundle, s == 0 ? int(Bundle::x) : int(stage_place), begin, end, before, take);
 }

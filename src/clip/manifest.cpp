@@ -1,5 +1,6 @@
 #include "clip/manifest.h"
 
+#include "clip/render_clip.h"
 #include "simulation/diagnostics.h"
 
 #include <nlohmann/json.hpp>
@@ -162,22 +163,24 @@ std::string positions_digest_of(const Texts& texts) {
     return text_of(texts, positions_key);
 }
 
-std::string clip_json(const Scene& scene, const Simulation& simulation, const std::string& positions_digest,
+std::string clip_json(const Scene& scene, const Simulation& simulation, const ClipOptions& options,
                       const FrameList& frames, const std::string& renderer) {
+    const bool simulated = options.positions_digest.empty();
     const std::string toml = to_toml(scene);
     nlohmann::ordered_json json;
     json["version"] = version();
     json["renderer"] = renderer;
     json["frames"] = to_string(frames);
     json["digest"] = digest(toml);
-    if (!positions_digest.empty()) json["positions"] = positions_digest;
+    if (options.compact) json["compact"] = true;
+    if (!simulated) json["positions"] = options.positions_digest;
     json["ropes"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < simulation.runs().size(); ++i) {
         json["ropes"].push_back(rope_json(scene, simulation.runs()[i]));
-        if (positions_digest.empty()) add_motion(scene, simulation, i, json["ropes"].back());
+        if (simulated) add_motion(scene, simulation, i, json["ropes"].back());
     }
     json["scene"] = toml;
-    return (positions_digest.empty() ? with_frame_errors(json.dump(2), simulation) : json.dump(2)) + "\n";
+    return (simulated ? with_frame_errors(json.dump(2), simulation) : json.dump(2)) + "\n";
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& name) {
@@ -195,6 +198,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
         throw std::runtime_error(name + ": its digest is not that of its scene");
     manifest.version = text_of(json, "version");
     manifest.positions_digest = text_of(json, "positions");
+    manifest.compact = json.value("compact", nlohmann::json()) == true;
     const std::string frames = text_of(json, "frames");
     if (frames.empty()) throw std::runtime_error(name + ": does not say which frames the clip has");
     try {

@@ -12,6 +12,8 @@
 
 namespace ropesim {
 
+struct ClipOptions;
+
 // The text chunks that say what made a frame: scene, its digest, frame, methods, version, and the digest
 // of the positions file if there was one. Two frames with equal texts are the same picture.
 Texts frame_texts(const Scene& scene, const std::string& positions_digest);  // of all frames of a clip
@@ -30,10 +32,10 @@ std::string version_of(const Texts& texts);
 // The digest of the positions file that the frame was drawn from; "" where the scene was simulated.
 std::string positions_digest_of(const Texts& texts);
 
-// clip.json: the scene as rendered, versions, the renderer, and per rope the method, its steps, and, unless
-// positions were given, where it diverged and why, its largest stretch and tension, and its energy in the
-// first frame and the last.
-std::string clip_json(const Scene& scene, const Simulation& simulation, const std::string& positions_digest,
+// clip.json: the scene as rendered, versions, the renderer, the frames that the folder has, and per rope the
+// method, its steps, and, unless positions were given, where it diverged and why, its largest stretch and
+// tension, and its energy in the first frame and the last.
+std::string clip_json(const Scene& scene, const Simulation& simulation, const ClipOptions& options,
                       const FrameList& frames, const std::string& renderer);
 
 // What clip.json says that the clip is.
@@ -43,6 +45,7 @@ struct Manifest {
     Scene scene;
     std::string positions_digest;
     FrameList frames;
+    bool compact = false;     // whether files are small rather than fast
     bool has_errors = false;  // whether errors were estimated
 };
 

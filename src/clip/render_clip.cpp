@@ -198,10 +198,10 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     helpers.finish();
     if (helpers.any_died()) remove_stale_temporaries(options.folder);
     if (options.sync) sync_folder(options.folder);
-    write_whole(manifest_path(options.folder),
-                clip_json(scene, simulation, options.positions_digest, both(known, options.frames),
-                          writer.renderer().description()),
-                options);
+    write_whole(
+        manifest_path(options.folder),
+        clip_json(scene, simulation, options, both(known, options.frames), writer.renderer().description()),
+        options);
     if (options.sync) {
         sync_folder(options.folder);
         sync_folder(options.folder / "..");  // which has the folder's own name

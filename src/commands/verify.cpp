@@ -86,6 +86,7 @@ void repair(const VerifyOptions& options, const Manifest& manifest, const FrameL
     clip.frames = frames;
     clip.jobs = options.jobs;
     clip.existing = Existing::overwrite;
+    clip.compact = manifest.compact;
     clip.show_progress = !options.quiet;
     clip.positions_digest = manifest.positions_digest;
     const Positions given = given_positions(options, manifest, frames);

@@ -1,6 +1,7 @@
 #include "clip/rope_error.h"
 
 #include "clip/manifest.h"
+#include "clip/render_clip.h"
 #include "clip/simulation.h"
 
 #include <gmock/gmock.h>
@@ -115,7 +116,7 @@ TEST(ClipJson, HasTheErrorOfEveryFrame) {
     Simulation simulation(scene, Simulation::Errors::estimated);
     finish(scene, simulation);
     const auto json =
-        nlohmann::json::parse(clip_json(scene, simulation, "", parse_frames("", 21), "a renderer"));
+        nlohmann::json::parse(clip_json(scene, simulation, {}, parse_frames("", 21), "a renderer"));
     const auto& error = json["ropes"][0]["error"];
     EXPECT_EQ(error["px"].size(), 21u);
     EXPECT_NEAR(error["px"][20].get<double>(), 0.195, 0.0005);

@@ -129,6 +129,15 @@ TEST_F(CommandLine, VerifyNamesWhatIsNotRightAndRepairsJustThat) {
     EXPECT_EQ(std::filesystem::last_write_time(temporary.path() / "frames" / "frame_0000.png"), age);
 }
 
+TEST_F(CommandLine, VerifyRepairsACompactClipCompactly) {
+    write("small.toml", small_seed());
+    run({"render", "small.toml", "--compact"});
+    const auto undisturbed = contents("frames");
+    std::filesystem::remove(temporary.path() / "frames" / "frame_0001.png");
+    EXPECT_EQ(run({"verify", "frames", "--repair"}).status, 0);
+    EXPECT_EQ(contents("frames"), undisturbed);
+}
+
 TEST_F(CommandLine, VerifyNeedsThePositionsThatAClipWasDrawnFrom) {
     write("small.toml", small_seed());
     run({"simulate", "small.toml", "-o", "at.npy"});

@@ -39,10 +39,6 @@ Interrupts::~Interrupts() {
     arrived_signal = 0;
 }
 
-int Interrupts::arrived() {
-    return arrived_signal;
-}
-
 void Interrupts::check() {
     if (arrived_signal != 0) throw Interrupted{arrived_signal};
 }

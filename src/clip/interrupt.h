@@ -20,8 +20,6 @@ class Interrupts {
     Interrupts(const Interrupts&) = delete;
     Interrupts& operator=(const Interrupts&) = delete;
 
-    // The signal that arrived, or 0.
-    static int arrived();
     // Throws Interrupted where one has arrived.
     static void check();
 

@@ -6,7 +6,7 @@
 namespace ropesim {
 namespace {
 
-// More names than this would be a column of text and not a legend.
+// More lines than this would be a column of text and not a legend.
 constexpr std::size_t most_names = 12;
 
 // Black or white, whichever stands out (luma of ITU-R BT.601).
@@ -29,10 +29,11 @@ std::vector<Words> words(const Scene& scene) {
     if (std::any_of(scene.ropes.begin(), scene.ropes.end(),
                     [](const SceneRope& rope) { return !rope.steps_per_frame; }))
         lines.push_back({"Steps per frame: " + std::to_string(scene.steps_per_frame), plain});
-    for (std::size_t i = 0; i < scene.ropes.size() && i < most_names; ++i)
+    const std::size_t ropes = scene.ropes.size();
+    const std::size_t named = ropes <= most_names ? ropes : most_names - 1;  // so that more than one is left
+    for (std::size_t i = 0; i < named; ++i)
         lines.push_back({name_and_steps(scene.ropes[i]), scene.ropes[i].color});
-    if (scene.ropes.size() > most_names)
-        lines.push_back({"and " + std::to_string(scene.ropes.size() - most_names) + " more ropes", plain});
+    if (named < ropes) lines.push_back({"and " + std::to_string(ropes - named) + " more ropes", plain});
     return lines;
 }
 

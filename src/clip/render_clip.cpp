@@ -143,10 +143,11 @@ std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& option
 FolderLock prepare_folder(const Scene& scene, const ClipOptions& options) {
     std::error_code error;
     std::filesystem::create_directory(options.folder, error);
+    std::error_code unknown;
+    if (std::filesystem::exists(options.folder, unknown) && !std::filesystem::is_directory(options.folder))
+        throw std::runtime_error(options.folder.string() + ": is a file; expected a folder for the frames");
     if (error)
         throw std::runtime_error(options.folder.string() + ": cannot make the folder: " + error.message());
-    if (!std::filesystem::is_directory(options.folder))
-        throw std::runtime_error(options.folder.string() + ": expected a folder for the frames");
     const bool alone = options.shard.count == 1;
     FolderLock lock(options.folder,
                     alone ? "" : digest(version() + options.positions_digest + to_toml(scene)));

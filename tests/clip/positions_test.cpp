@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -223,6 +224,22 @@ TEST(PositionsNpy, RefusesOtherShapesAndTypes) {
     other.replace(other.find("<f8"), 3, "<f4");
     EXPECT_THAT(refusal(scene, other), HasSubstr("float64"));
     EXPECT_THAT(refusal(scene, bytes + bytes), HasSubstr("more arrays than the scene has ropes"));
+}
+
+TEST(PositionsNpy, RefusesWhatIsNotFinite) {
+    const Scene scene = scene_of({{"a", 2}});
+    for (const double number : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+        Positions positions = random_positions(scene, 2);
+        positions[1][0](1, 1) = number;
+        EXPECT_THAT(refusal(scene, to_npy(scene, positions)),
+                    HasSubstr("rope 'a': a coordinate of frame 1 is not finite"));
+    }
+}
+
+TEST(Positions, AreMissedWhereAFrameIsAskedForThatTheyLack) {
+    const Positions positions = random_positions(scene_of({{"a", 2}}), 2);
+    EXPECT_NO_THROW(check_frames(positions, {0, 1}, "swing.npy"));
+    EXPECT_THROW(check_frames(positions, {0, 1, 2}, "swing.npy"), std::runtime_error);
 }
 
 }  // namespace

@@ -165,8 +165,16 @@ TEST_F(RenderClip, KeepsOthersOutOfItsFolder) {
 TEST_F(RenderClip, NeedsTheParentOfItsFolder) {
     EXPECT_THROW(std::ignore = prepare_folder(scene, into(folder / "deeper", scene)), std::runtime_error);
     EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST_F(RenderClip, NeedsAFolderAndNotAFile) {
     write_file(folder, std::string_view("a file"));
-    EXPECT_THROW(std::ignore = prepare_folder(scene, into(folder, scene)), std::runtime_error);
+    try {
+        std::ignore = prepare_folder(scene, into(folder, scene));
+        FAIL() << "took a file";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("is a file; expected a folder for the frames"));
+    }
 }
 
 TEST_F(RenderClip, ResumeMakesOnlyWhatIsNotThereWholeOrIsOfAnotherScene) {

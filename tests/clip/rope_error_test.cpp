@@ -81,6 +81,8 @@ TEST(RopeError, IsLeftOutWhereItWouldCostTooMuchAndWhereLinksDoNotFit) {
     const Simulation too_much(scene, Simulation::Errors::estimated);
     EXPECT_EQ(too_much.error(1), nullptr);
     EXPECT_THAT(error_line(too_much), HasSubstr("more than a tenth"));
+    const auto json = nlohmann::json::parse(clip_json(scene, too_much, {}, {0}, "a renderer"));
+    EXPECT_THAT(json["ropes"][0]["error"]["left_out"].get<std::string>(), HasSubstr("more than a tenth"));
     scene = seed_of(2);
     scene.ropes[0].method = "constraint_projection";
     scene.ropes[0].rest_length = 20.0;

@@ -3,6 +3,7 @@
 #include "clip/file.h"
 #include "clip/render_clip.h"
 #include "clip/temporary_folder.h"
+#include "image/compact_png.h"
 
 #include <gmock/gmock.h>
 
@@ -81,6 +82,18 @@ TEST_F(VerifyClip, NamesWhatIsWrongWithFrames) {
     EXPECT_EQ(faulty_frames(verify_clip(folder, 1, false)), (FrameList{2, 3, 4, 6, 7, 8}));
 }
 
+TEST_F(VerifyClip, NamesFramesOfAnotherVersionOrSize) {
+    render(scene, all);
+    const Image picture = decode_png(read_file(frame(2)), "frame");
+    Texts texts = decode_png_texts(read_file(frame(2)), "frame");
+    write_file(frame(2), encode_compact_png(filled(32, 24, {}), texts));
+    set_frame(texts, 3);
+    texts["Software"] = "ropesim 0.0.9";
+    write_file(frame(3), encode_compact_png(picture, texts));
+    EXPECT_THAT(faults(), ElementsAre("2: broken: 32x24 pixels, expected 64x48",
+                                      "3: of another version, 'ropesim 0.0.9'"));
+}
+
 // Every byte that is changed is found: the checksums of PNG cover them all.
 TEST_F(VerifyClip, FindsAnyByteThatChanged) {
     render(scene, {0});
@@ -129,12 +142,17 @@ TEST_F(VerifyClip, SaysWhatIsWrongWithTheManifest) {
     json.replace(json.find("gravity = [0.0, -1.0]"), 21, "gravity = [0.0, -2.0]");
     write_file(folder / "clip.json", json);
     EXPECT_THAT(failure(), HasSubstr("clip.json: its digest is not that of its scene"));
+    write_file(folder / "clip.json", std::string(2 * largest_scene + 1, ' '));
+    EXPECT_THAT(failure(), HasSubstr("bytes, expected at most"));
 }
 
 TEST_F(VerifyClip, TellsOfTemporaryFilesThatNobodyIsWriting) {
     render(scene, {0});
     write_file(folder / ".ropesim-elsewhere-1.tmp", std::string_view("half a frame"));
-    EXPECT_THAT(verify_clip(folder, 1, false).strays, ElementsAre(folder / ".ropesim-elsewhere-1.tmp"));
+    const Verification verification = verify_clip(folder, 1, false);
+    EXPECT_THAT(verification.strays, ElementsAre(folder / ".ropesim-elsewhere-1.tmp"));
+    EXPECT_THAT(fault_lines(folder, verification, 20),
+                HasSubstr(".ropesim-elsewhere-1.tmp: a temporary file that no process of this machine"));
 }
 
 TEST_F(VerifyClip, HasAtMostAsManyLines) {

@@ -6,6 +6,7 @@
 #include "clip/process.h"
 #include "clip/temporary_folder.h"
 #include "commands/program.h"
+#include "image/compact_png.h"
 #include "scene/scene.h"
 #include "scene/words.h"
 
@@ -104,6 +105,8 @@ TEST_F(BadInput, AsAPath) {
     for (const std::string path : {"loop", "folder.toml", "\x1b[31m\n.toml", "empty", "", ".", "/", "none",
                                    "/dev/null", "/dev/zero", "\xff", "empty/below", "-"})
         expect_refused({"render", path});
+    write_file(temporary.path() / "picture.png", encode_compact_png(filled(8, 8, {}), {}));
+    expect_refused({"render", "picture.png"}, "picture.png: a picture without a scene in it");
     expect_refused({"render", repeated("x", 5000)}, "File name too long");
     expect_refused({"render", repeated("./", 3000) + "none"}, "File name too long");
     for (const std::string path : {"loop", "folder.toml", "empty", "", ".", "none", "/dev/null"}) {

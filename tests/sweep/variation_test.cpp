@@ -60,6 +60,7 @@ TEST(Variation, SaysWhatIsWrong) {
     EXPECT_THAT(refusal("mass=1:inf:3"), HasSubstr("is no range"));
     EXPECT_THAT(refusal("mass=1,2,1"), HasSubstr("gives 1 twice"));
     EXPECT_THAT(refusal("mass=1,"), HasSubstr("found a string"));
+    EXPECT_THAT(refusal("mass=1,'"), HasSubstr("is neither a value nor a word"));
     EXPECT_THAT(refusal("mass=1\nnodes=3"), HasSubstr("control character"));
 }
 

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # Long and large, for a nightly run: tests/long.sh PROGRAM [SECONDS]
-# Clips of 100,000 frames, 10,000 ropes, a million masses, a path of 4,000 characters and 10 million frames, by
-# PROGRAM; then all commands mixed for SECONDS (an hour unless given), best by a program that was built with the
-# address sanitizer, which fails at a leak. Prints what it measured; stops with status 1 where something is wrong.
+# Clips of 100,000 frames, 10,000 ropes, a million masses, a path of 4,000 characters and 10 million frames; then all
+# commands mixed for SECONDS (an hour unless given). Best by a program that was built with the address sanitizer, which
+# fails at a leak. Prints what it measured; stops with status 1 where something is wrong.
 set -euo pipefail
 program=$(realpath "$1")
 seconds=${2:-3600}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
+# What was freed is kept from use, but not so much of it that memory seems to grow.
+export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:quarantine_size_mb=8}
 
 fail() { echo "long: $*" >&2; exit 1; }
 
@@ -87,7 +89,6 @@ if "$program" render short.toml --frames 0:2 -o "$deep/frames" 2> err; then fail
 cut -c 1-40 err
 
 echo "== all commands for $seconds s"
-export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1}
 scene 6 2 8 > mixed.toml
 rounds=0
 end=$((SECONDS + seconds))

@@ -8,6 +8,7 @@
 #include "clip/find_scene.h"
 #include "clip/frames.h"
 #include "clip/picture.h"
+#include "clip/process.h"
 #include "clip/run.h"
 #include "image/compact_png.h"
 #include "image/png.h"
@@ -26,7 +27,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace {
 
@@ -205,7 +208,8 @@ struct StartUp {
     double sum() const { return library + context + shaders + first_picture; }
 };
 
-StartUp start_up_here(const Case& of) {
+// As a process that does nothing else prints them.
+void print_own_start_up() {
     StartUp spent;
     double last = seconds();
     const auto take = [&last](double& milliseconds) {
@@ -217,33 +221,24 @@ StartUp start_up_here(const Case& of) {
     take(spent.library);
     const std::unique_ptr<OffscreenContext> context = make_context();
     const Gl gl = load_gl(*context);
-    Framebuffer framebuffer(gl, of.scene.size[0], of.scene.size[1]);
+    Framebuffer framebuffer(gl, 1280, 720);
     framebuffer.read({0, 0, 1, 1});
     take(spent.context);
-    const RopePainter painter(gl, of.scene.size[0], of.scene.size[1]);
+    const RopePainter painter(gl, 1280, 720);
     take(spent.shaders);
     painter.paint({{{10.0F, 10.0F}, {90.0F, 20.0F}, 2.0F, {255, 0, 0, 0}}});
     framebuffer.read({0, 0, 1, 1});
     take(spent.first_picture);
-    return spent;
+    std::printf("%g %g %g %g", spent.library, spent.context, spent.shaders, spent.first_picture);
 }
 
-// In a process that has not loaded OpenGL yet.
-StartUp start_up(const Case& of) {
-    std::array<int, 2> pipe{};
-    if (::pipe(pipe.data()) != 0) throw std::runtime_error("cannot make a pipe");
-    const pid_t child = ::fork();
+constexpr const char* own_start_up = "--start-up";  // the option by which this program prints it
+
+StartUp start_up() {
+    std::istringstream printed(run_program({"/proc/self/exe", own_start_up}, "/"));
     StartUp spent;
-    if (child == 0) {
-        spent = start_up_here(of);
-        (void)!::write(pipe[1], &spent, sizeof spent);
-        ::_exit(0);
-    }
-    ::close(pipe[1]);
-    const bool is_read = ::read(pipe[0], &spent, sizeof spent) == sizeof spent;
-    ::close(pipe[0]);
-    ::waitpid(child, nullptr, 0);
-    if (!is_read) throw std::runtime_error("a process has failed");
+    if (!(printed >> spent.library >> spent.context >> spent.shaders >> spent.first_picture))
+        throw std::runtime_error("no times of a start");
     return spent;
 }
 
@@ -266,13 +261,13 @@ double first_frame(const std::filesystem::path& folder) {
     return spent;
 }
 
-void print_start_up(const Case& of, const std::filesystem::path& folder) {
+void print_start_up(const std::filesystem::path& folder) {
     constexpr std::size_t times = 11;
     std::array<double, times> whole{};
     std::array<StartUp, times> parts;
     for (std::size_t i = 0; i < times; ++i) {
         whole[i] = first_frame(folder / "first");
-        parts[i] = start_up(of);
+        parts[i] = start_up();
     }
     std::ranges::sort(whole);
     std::ranges::sort(parts, {}, &StartUp::sum);
@@ -330,7 +325,7 @@ std::vector<Case> cases() {
 void run(const std::filesystem::path& on_disk, const std::filesystem::path& in_memory) {
     std::printf("%s; one process is one core; medians of %d rounds\n\n", processor().c_str(), rounds);
     const std::vector<Case> all = cases();
-    print_start_up(all.front(), in_memory);  // first, while no OpenGL is loaded here
+    print_start_up(in_memory);  // first, while no OpenGL is loaded here
     print_stages(all.front(), in_memory, "memory");
     print_stages(all.front(), on_disk, "disk");
     print_sizes(all.front());
@@ -342,6 +337,10 @@ void run(const std::filesystem::path& on_disk, const std::filesystem::path& in_m
 
 // Of two folders of its own, one is in the folder that is named, or in the usual one for temporary files.
 int main(int count, char** values) {
+    if (count > 1 && std::string_view(values[1]) == own_start_up) {
+        print_own_start_up();
+        return 0;
+    }
     const std::filesystem::path folder = count > 1 ? values[1] : std::filesystem::temp_directory_path();
     const std::string name = "frames-benchmark-" + std::to_string(::getpid());
     const std::filesystem::path on_disk = folder / name;

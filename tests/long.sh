@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Long and large, for a nightly run: tests/long.sh PROGRAM [SECONDS]
-# Clips of 100,000 frames, 10,000 ropes, a million masses, a path of 4,000 characters and 10 million frames; then all
-# commands mixed for SECONDS (an hour unless given). Best by a program that was built with the address sanitizer, which
-# fails at a leak. Prints what it measured; stops with status 1 where something is wrong.
+# Long and large, for a nightly run: tests/long.sh PROGRAM [SECONDS [SANITIZED]]
+# Clips of 100,000 frames, 10,000 ropes, a million masses, a path of 4,000 characters and 10 million frames, by
+# PROGRAM; then all commands mixed for SECONDS (an hour unless given), by SANITIZED where it is given: a ropesim that was
+# built with the address sanitizer, which fails at a leak. Prints what it measured; stops with status 1 where something
+# is wrong.
 set -euo pipefail
 program=$(realpath "$1")
 seconds=${2:-3600}
+sanitized=$(realpath "${3:-$1}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-# What was freed is kept from use, but not so much of it that memory seems to grow.
-export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:quarantine_size_mb=8}
 
 fail() { echo "long: $*" >&2; exit 1; }
 
@@ -89,27 +89,33 @@ if "$program" render short.toml --frames 0:2 -o "$deep/frames" 2> err; then fail
 cut -c 1-40 err
 
 echo "== all commands for $seconds s"
+export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1}
 scene 6 2 8 > mixed.toml
+sed 's/direct_projection/stormer_verlet/' mixed.toml > springs.toml
 rounds=0
 end=$((SECONDS + seconds))
 while [ $SECONDS -lt $end ]; do
     rm -rf a b c
-    measured "$program" render mixed.toml -o a --jobs 1
-    measured "$program" render mixed.toml -o a --jobs 3 --resume
-    measured "$program" render mixed.toml -o b --jobs 2 --overwrite
-    measured "$program" diff a b --report r.html --json r.json --junit r.xml
+    measured "$sanitized" render mixed.toml -o a --jobs 1
+    measured "$sanitized" render mixed.toml -o a --jobs 3 --resume
+    measured "$sanitized" render mixed.toml -o b --jobs 2 --overwrite
+    measured "$sanitized" diff a b --report r.html --json r.json --junit r.xml
     rm a/frame_0002.png
-    measured "$program" verify a --repair --jobs 2
+    measured "$sanitized" verify a --repair --jobs 2
     diff -r a b || fail "repaired frames differ"
-    measured "$program" simulate mixed.toml -o a.csv --diagnostics d.csv
-    measured "$program" simulate mixed.toml -o a.npy
-    measured "$program" render mixed.toml -o c --positions a.npy --overwrite
-    measured "$program" compare mixed.toml -o c --overwrite
-    measured "$program" plan mixed.toml --tolerance 1 --write planned.toml
-    for command in methods scenes "scenes bridge" doctor --version --help; do measured "$program" $command; done
+    measured "$sanitized" simulate mixed.toml -o a.csv --diagnostics d.csv
+    measured "$sanitized" simulate mixed.toml -o a.npy
+    measured "$sanitized" render mixed.toml -o c --positions a.npy --overwrite
+    measured "$sanitized" compare mixed.toml -o c --overwrite
+    measured "$sanitized" plan mixed.toml --tolerance 1 --write planned.toml
+    measured "$sanitized" sweep mixed.toml --vary steps_per_frame=4,8 --clips --jobs 2 -o d --overwrite
+    measured "$sanitized" study stability springs.toml --methods stormer_verlet -o e
+    measured "$sanitized" study work-precision springs.toml --methods stormer_verlet -o e
+    measured "$sanitized" submit mixed.toml -o f --shards 2 --dry-run
+    for command in methods scenes "scenes bridge" doctor --version --help; do measured "$sanitized" $command; done
     rounds=$((rounds + 1))
 done
-echo "$rounds rounds of 16 commands, none failed"
+echo "$rounds rounds of 20 commands, none failed"
 
 # Programs that ropesim runs have no more open than those that this script runs.
 if command -v gnuplot > /dev/null; then
@@ -117,7 +123,7 @@ if command -v gnuplot > /dev/null; then
     printf '#!/bin/sh\nls /proc/self/fd > "%s/open"\nexec %s "$@"\n' "$folder" "$(command -v gnuplot)" > bin/gnuplot
     chmod +x bin/gnuplot
     sh -c 'ls /proc/self/fd > open_here'
-    PATH=$folder/bin:$PATH "$program" compare mixed.toml -o c --overwrite --quiet
+    PATH=$folder/bin:$PATH "$sanitized" compare mixed.toml -o c --overwrite --quiet
     cmp -s open open_here || fail "a descriptor is left to gnuplot: $(tr '\n' ' ' < open)"
     echo "no descriptor is left to other programs"
 fi

@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace ropesim {
 namespace {
@@ -93,11 +94,14 @@ std::string subject(const StudyOptions& options, const Scene& scene, const Scene
 }
 
 void say_cheapest(const WorkPrecision& study) {
-    std::printf("%9s  %-22s %10s %11s   %s\n", "error, px", "cheapest method", "steps", "time", "of others");
+    bool is_first = true;
     for (const double pixels : {10.0, 1.0, 0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8}) {
         const Cheapest own = cheapest(study, true, pixels);
         const Cheapest other = cheapest(study, false, pixels);
         if (!own.measurement) continue;
+        if (std::exchange(is_first, false))
+            std::printf("%9s  %-22s %10s %11s   %s\n", "error, px", "cheapest method", "steps", "time",
+                        "of others");
         std::printf("%9g  %-22s %10g %8.2f us", pixels, label(own.curve->contender).c_str(),
                     own.measurement->setting, 1e6 * own.measurement->time.median);
         if (other.measurement)
@@ -112,10 +116,8 @@ std::vector<const Method*> methods_named(const Problem& problem, const std::vect
     std::vector<const Method*> result;
     for (const std::string& name : names) {
         result.push_back(&find_method(name));
-        if (!fits(problem, *result.back()))
-            throw std::runtime_error(name +
-                                     " cannot move this rope: its links keep their length, and those of the "
-                                     "rope do not start at it");
+        const std::string why_not = obstacle(problem, result.back()->model);
+        if (!why_not.empty()) throw std::runtime_error(name + " " + why_not);
     }
     if (names.empty())
         for (const Method& method : methods())

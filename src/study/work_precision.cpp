@@ -129,6 +129,13 @@ std::function<void()> task(const Contender& contender, const Problem& problem, c
     };
 }
 
+std::string obstacle(const Problem& problem, const Contender& contender) {
+    const Model model = contender.method ? contender.method->model : Model::elastic;
+    const std::string of_model = obstacle(problem, model);
+    if (!of_model.empty() || contender.damps || problem.rope.damping == 0.0) return of_model;
+    return "follows no damping, and this rope has some";
+}
+
 double frames_of(const Problem& problem, const Measurement& run) {
     return static_cast<double>(std::max(1L, std::min(run.frames, problem.frames - 1)));
 }
@@ -143,15 +150,17 @@ std::vector<Contender> contenders(const Problem& problem, const std::vector<std:
     std::vector<Contender> wanted;
     std::string known;
     for (const Contender& each : all) {
-        const bool named = names.empty() || std::count(names.begin(), names.end(), label(each)) > 0;
-        const bool follows =
-            each.method ? fits(problem, *each.method)
-                        : problem.model == Model::elastic && (each.damps || problem.rope.damping == 0.0);
-        if (named && follows) wanted.push_back(each);
         known += (known.empty() ? "" : ", ") + label(each);
+        const bool named = std::ranges::count(names, label(each)) > 0;
+        if (!named && !names.empty()) continue;
+        const std::string why_not = obstacle(problem, each);
+        if (why_not.empty())
+            wanted.push_back(each);
+        else if (named)
+            throw std::runtime_error(label(each) + " " + why_not);
     }
     for (const std::string& name : names)
-        if (std::none_of(all.begin(), all.end(), [&](const auto& each) { return label(each) == name; }))
+        if (std::ranges::none_of(wanted, [&](const auto& each) { return label(each) == name; }))
             throw std::runtime_error("unknown method '" + name + "'; expected one of: " + known);
     return wanted;
 }

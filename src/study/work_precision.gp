@@ -12,12 +12,12 @@ upper(d) = by_count ? passes(0) : column("upper_quartile_s")
 
 of(i) = strcol("library") eq library[i] && strcol("method") eq method[i]
 held(d) = column("worst_px") < lost
-error(i) = of(i) && held(0) ? (column("worst_px") > finest ? column("worst_px") : finest) : NaN
-# Failures stand in the strip at the edge, each curve's in a place of its own.
-failure(i) = of(i) && !held(0) ? lost * 10 ** (0.08 + 0.84 * (i - 0.5) / curves) : NaN
-
-# The n-th curve of a list; gnuplot looks at the first even of an empty one.
+# The n-th curve of a list. Even of an empty one gnuplot looks at the first, and warns if it has no point.
 at(list, n) = n > words(list) ? 1 : word(list, n) + 0
+error(i) = of(i) && (held(0) || drawn eq "") ? (column("worst_px") > finest ? column("worst_px") : finest) : NaN
+# Failures stand in the strip at the edge, each curve's in a place of its own.
+failure(i) = of(i) && (!held(0) || failing eq "") ? lost * 10 ** (0.08 + 0.84 * (i - 0.5) / curves) : NaN
+
 d(n) = at(drawn, n)
 h(n) = at(never_held, n)
 f(n) = at(failing, n)

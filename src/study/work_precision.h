@@ -34,8 +34,8 @@ struct WorkPrecision {
     std::vector<Curve> curves;
 };
 
-// Our methods (those named, or all) and, where all are wanted, what else one would take; those that cannot
-// follow the problem's rope are left out. Throws std::runtime_error for an unknown name.
+// Those named; or, of our methods and of what else one would take, all that can move the problem's rope.
+// Throws std::runtime_error for a name that is unknown, and for one that cannot.
 std::vector<Contender> contenders(const Problem& problem, const std::vector<std::string>& names);
 
 // The settings of a contender, from where it fails to where rounding or the model sets the floor, or to

@@ -61,17 +61,19 @@ double observed_order(const Curve& curve) {
 }
 
 TEST(WorkPrecision, HasTheSlopesOfTheTable) {
-    for (const char* model_of : {"stormer_verlet", "direct_projection"}) {
-        const Problem problem = swinging_rope(model_of, 16, 61);
+    const std::vector<std::string> of_springs = {"symplectic_euler",
+                                                 "stormer_verlet",
+                                                 "runge_kutta_4",
+                                                 "blanes_moan_4",
+                                                 "blanes_moan_6",
+                                                 "odeint:velocity_verlet",
+                                                 "odeint:symplectic_rkn_sb3a_mclachlan"};
+    for (const auto& names : {of_springs, {"direct_projection"}}) {
+        const Problem problem = swinging_rope(names[0].c_str(), 16, 61);
         const Truth true_motion = truth(problem);
-        for (const Contender& each :
-             contenders(problem, {"symplectic_euler", "stormer_verlet", "runge_kutta_4", "blanes_moan_4",
-                                  "blanes_moan_6", "direct_projection", "odeint:velocity_verlet",
-                                  "odeint:symplectic_rkn_sb3a_mclachlan"}))
-            if ((each.method ? each.method->model : Model::elastic) == problem.model) {
-                EXPECT_NEAR(observed_order(errors_of(each, problem, true_motion)), each.order, 0.15)
-                    << label(each);
-            }
+        for (const Contender& each : contenders(problem, names))
+            EXPECT_NEAR(observed_order(errors_of(each, problem, true_motion)), each.order, 0.15)
+                << label(each);
     }
 }
 
@@ -133,6 +135,28 @@ TEST(WorkPrecision, LeavesOutWhatCannotFollowADampedRope) {
     const std::size_t all = contenders(problem, {}).size();
     problem.rope.damping = 0.1;
     EXPECT_EQ(contenders(problem, {}).size(), all - 3);  // the symplectic steppers of Boost.Odeint
+}
+
+TEST(WorkPrecision, RefusesAMethodThatCannotMoveTheRope) {
+    const auto refusal = [](const Problem& problem, const char* name) -> std::string {
+        try {
+            contenders(problem, {"stormer_verlet", name});
+            return "";
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+    };
+    Problem problem = small_problem();
+    EXPECT_EQ(refusal(problem, "direct_projection"), "");
+    problem.rope.rest_length *= 1.1;
+    EXPECT_EQ(refusal(problem, "direct_projection"),
+              "direct_projection keeps links at rest length, and this rope's do not start at it");
+    problem.rope.damping = 0.1;
+    EXPECT_EQ(refusal(problem, "odeint:velocity_verlet"),
+              "odeint:velocity_verlet follows no damping, and this rope has some");
+    EXPECT_EQ(refusal(swinging_rope("xpbd", 5, 11), "xpbd"), "");
+    EXPECT_EQ(refusal(swinging_rope("direct_projection", 5, 11), "direct_projection"),
+              "stormer_verlet moves springs, and this rope's links keep their length");
 }
 
 TEST(WorkPrecision, RefusesAMethodThatItDoesNotKnow) {

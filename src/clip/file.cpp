@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -48,6 +49,27 @@ constexpr std::size_t written_at_once = std::size_t{1} << 16;
 bool is_regular_or_missing(const std::filesystem::path& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
+}
+
+// The size of a regular file; none of anything else.
+std::optional<std::uint64_t> regular_size(int file) {
+    struct stat status {};
+    if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+std::vector<std::uint8_t> read_all(const std::filesystem::path& path, int file, std::uint64_t largest) {
+    check_size(path, regular_size(file).value_or(0), largest);
+    std::vector<std::uint8_t> bytes;
+    std::array<std::uint8_t, 1 << 16> buffer;
+    for (;;) {
+        const ssize_t count = ::read(file, buffer.data(), buffer.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail(path, "cannot read");
+        if (count == 0) return bytes;
+        check_size(path, bytes.size() + static_cast<std::uint64_t>(count), largest);
+        bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + count);
+    }
 }
 
 constexpr std::string_view temporary_begin = ".ropesim-";
@@ -95,27 +117,22 @@ std::vector<Temporary> temporaries(const std::filesystem::path& folder) {
 }  // namespace
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest) {
-    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.number() < 0) fail(path, "cannot open");
-    struct stat status {};
-    if (::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode))
-        check_size(path, static_cast<std::uint64_t>(status.st_size), largest);
-    std::vector<std::uint8_t> bytes;
-    std::array<std::uint8_t, 1 << 16> buffer;
-    for (;;) {
-        const ssize_t count = ::read(file.number(), buffer.data(), buffer.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail(path, "cannot read");
-        if (count == 0) return bytes;
-        check_size(path, bytes.size() + static_cast<std::uint64_t>(count), largest);
-        bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + count);
-    }
+    return read_all(path, file.number(), largest);
 }
 
-NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)) {
-    if (path_ == "-") {
+std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.number() < 0) fail(path, "cannot open");
+    if (!regular_size(file.number())) throw std::runtime_error(path.string() + ": is no regular file");
+    return read_all(path, file.number(), largest_file);
+}
+
+NewFile::NewFile(std::filesystem::path path, Place place) : path_(std::move(path)) {
+    if (place == Place::named && path_ == "-") {
         descriptor_ = ::dup(STDOUT_FILENO);
-    } else if (!is_regular_or_missing(path_)) {
+    } else if (place == Place::named && !is_regular_or_missing(path_)) {
         descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
         const std::string begin = temporary_prefix() + std::to_string(::getpid());
@@ -195,14 +212,14 @@ void NewFile::fail(const char* what) const {
     ropesim::fail(path_ == "-" ? "standard output" : path_, what);
 }
 
-void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    NewFile file(path);
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes, Place place) {
+    NewFile file(path, place);
     file.append(bytes);
     file.finish();
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
-    write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+void write_file(const std::filesystem::path& path, std::string_view text, Place place) {
+    write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), place);
 }
 
 void sync_folder(const std::filesystem::path& folder) {

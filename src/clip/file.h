@@ -16,13 +16,22 @@ inline constexpr std::uint64_t largest_positions = std::uint64_t{1} << 32;
 // std::runtime_error, "<path>: why".
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest = largest_file);
 
+// The same of a file that nobody named but that a folder holds: a pipe or a device, which might keep one
+// waiting for ever, is refused.
+std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path);
+
+// How a file is written.
+enum class Place {
+    in_folder,  // over whatever has its name there
+    named       // the user gave its name: a pipe, a terminal or the like is written directly, "-" is stdout
+};
+
 // A file that is being written: it appears whole when it is finished, or not at all, also when the process
 // is killed. Until then it has a temporary name in the same folder; then it is renamed over whatever was
-// there. What is no regular file (a pipe, a terminal) is written directly, and "-" is standard output.
-// Everything throws std::runtime_error, "<path>: why".
+// there. Everything throws std::runtime_error, "<path>: why".
 class NewFile {
   public:
-    explicit NewFile(std::filesystem::path path);
+    explicit NewFile(std::filesystem::path path, Place place = Place::in_folder);
     ~NewFile();  // takes away what was not finished
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
@@ -52,8 +61,9 @@ class NewFile {
 };
 
 // Writes a whole file by NewFile.
-void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
-void write_file(const std::filesystem::path& path, std::string_view text);
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                Place place = Place::in_folder);
+void write_file(const std::filesystem::path& path, std::string_view text, Place place = Place::in_folder);
 
 // Has the names in a folder outlast a power cut. Throws std::runtime_error where the system cannot.
 void sync_folder(const std::filesystem::path& folder);

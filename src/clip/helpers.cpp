@@ -207,7 +207,11 @@ void Helpers::finish() {
 void Helpers::receive_marks(bool wait) {
     std::vector<pollfd> sockets;
     for (const Helper& helper : helpers_) sockets.push_back({helper.socket, POLLIN, 0});
-    while (::poll(sockets.data(), sockets.size(), wait ? -1 : 0) < 0) Interrupts::check();
+    while (::poll(sockets.data(), sockets.size(), wait ? -1 : 0) < 0) {
+        if (errno != EINTR)
+            throw std::runtime_error("cannot wait for a job: " + std::generic_category().message(errno));
+        Interrupts::check();
+    }
     for (std::size_t i = sockets.size(); i-- > 0;) {  // from the last, as those that died go
         if (sockets[i].revents == 0) continue;
         std::array<char, most_frames> marks;

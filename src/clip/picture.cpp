@@ -6,8 +6,8 @@
 namespace ropesim {
 namespace {
 
-// More lines than this would be a column of text and not a legend.
-constexpr std::size_t most_names = 12;
+// Of ropes: more would be a column of text and not a legend.
+constexpr std::size_t most_lines = 12;
 
 // Black or white, whichever stands out (luma of ITU-R BT.601).
 Color readable_on(const Color& background) {
@@ -30,7 +30,7 @@ std::vector<Words> words(const Scene& scene) {
                     [](const SceneRope& rope) { return !rope.steps_per_frame; }))
         lines.push_back({"Steps per frame: " + std::to_string(scene.steps_per_frame), plain});
     const std::size_t ropes = scene.ropes.size();
-    const std::size_t named = ropes <= most_names ? ropes : most_names - 1;  // so that more than one is left
+    const std::size_t named = ropes <= most_lines ? ropes : most_lines - 1;  // so that more than one is left
     for (std::size_t i = 0; i < named; ++i)
         lines.push_back({name_and_steps(scene.ropes[i]), scene.ropes[i].color});
     if (named < ropes) lines.push_back({"and " + std::to_string(ropes - named) + " more ropes", plain});

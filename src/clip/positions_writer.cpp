@@ -13,7 +13,7 @@ namespace {
 
 class CsvWriter : public PositionsWriter {
   public:
-    CsvWriter(const std::string& file, const Scene& scene) : scene_(scene), file_(file) {
+    CsvWriter(const std::string& file, const Scene& scene) : scene_(scene), file_(file, Place::named) {
         file_.append(std::string(positions_csv_header) + '\n');
     }
 
@@ -32,7 +32,7 @@ class CsvWriter : public PositionsWriter {
 // move up in the end.
 class NpyWriter : public PositionsWriter {
   public:
-    NpyWriter(const std::string& file, const Scene& scene, long frames) : file_(file) {
+    NpyWriter(const std::string& file, const Scene& scene, long frames) : file_(file, Place::named) {
         std::uint64_t begin = 0;
         for (const SceneRope& rope : scene.ropes) {
             arrays_.push_back({rope.nodes, begin, 0});

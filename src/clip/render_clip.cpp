@@ -33,11 +33,10 @@ FrameList in_shard(const FrameList& frames, const Shard& shard) {
 
 // Whether the file is whole and was made by this very scene, version and frame.
 bool is_made(const std::filesystem::path& path, const Texts& texts) {
-    if (!std::filesystem::is_regular_file(path)) return false;
     try {
-        return decode_png_texts(read_file(path), path.string()) == texts;
+        return decode_png_texts(read_regular_file(path), path.string()) == texts;
     } catch (const std::runtime_error&) {
-        return false;  // cut off, or not even a PNG: to be made anew
+        return false;  // missing, cut off, or not even a PNG: to be made anew
     }
 }
 
@@ -101,8 +100,9 @@ void advance_to(long frame, Simulation& simulation) {
 // The frames that clip.json names, where it is there and of this very clip; otherwise it is taken away.
 FrameList frames_known(const Scene& scene, const ClipOptions& options) {
     const std::filesystem::path path = manifest_path(options.folder);
-    if (!std::filesystem::exists(path)) return {};
-    const std::vector<std::uint8_t> bytes = read_file(path);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return {};
+    const std::vector<std::uint8_t> bytes = read_regular_file(path);
     try {
         const Manifest manifest =
             parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
@@ -143,9 +143,9 @@ std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& option
 FolderLock prepare_folder(const Scene& scene, const ClipOptions& options) {
     std::error_code error;
     std::filesystem::create_directory(options.folder, error);
-    std::error_code unknown;
-    if (std::filesystem::exists(options.folder, unknown) && !std::filesystem::is_directory(options.folder))
-        throw std::runtime_error(options.folder.string() + ": is a file; expected a folder for the frames");
+    std::error_code ignored;
+    if (std::filesystem::exists(options.folder, ignored) && !std::filesystem::is_directory(options.folder))
+        throw std::runtime_error(options.folder.string() + ": is no folder; expected one for the frames");
     if (error)
         throw std::runtime_error(options.folder.string() + ": cannot make the folder: " + error.message());
     const bool alone = options.shard.count == 1;

@@ -21,7 +21,7 @@ Manifest manifest_of(const std::filesystem::path& folder) {
         throw std::runtime_error(path.string() +
                                  ": missing, no render has finished here; the render's own command with "
                                  "--resume finishes it");
-    const std::vector<std::uint8_t> bytes = read_file(path);
+    const std::vector<std::uint8_t> bytes = read_regular_file(path);
     return parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
 }
 
@@ -42,9 +42,10 @@ std::string fault_of_texts(const Texts& texts, long frame, const Manifest& manif
 }
 
 std::string fault_of(const std::filesystem::path& path, long frame, const Manifest& manifest) {
-    if (!std::filesystem::exists(path)) return "missing";
+    if (std::filesystem::symlink_status(path).type() == std::filesystem::file_type::not_found)
+        return "missing";
     try {
-        const std::vector<std::uint8_t> bytes = read_file(path);
+        const std::vector<std::uint8_t> bytes = read_regular_file(path);
         const Image image = decode_png(bytes, path.string());
         std::string fault = fault_of_texts(decode_png_texts(bytes, path.string()), frame, manifest);
         const auto [width, height] = manifest.scene.size;
@@ -92,18 +93,25 @@ long frames_with_faults(std::vector<FrameFault>::const_iterator begin,
 
 }  // namespace
 
-Verification verify_clip(const std::filesystem::path& folder, int threads, bool show_progress) {
+std::vector<FrameFault> find_faults(const std::filesystem::path& folder, const Manifest& manifest,
+                                    const FrameList& frames, int threads, bool show_progress) {
     constexpr std::size_t at_once = 1024;  // frames whose faults are kept apart
+    std::vector<FrameFault> faults;
+    Progress progress(static_cast<long>(frames.size()), "frames", show_progress);
+    std::vector<long> next;
+    for (auto frame = frames.begin(); frame != frames.end();) {
+        next.clear();
+        for (; frame != frames.end() && next.size() < at_once; ++frame) next.push_back(*frame);
+        add_faults(next, faults_of(folder, next, manifest, threads), faults);
+        progress.done(static_cast<long>(next.size()));
+    }
+    return faults;
+}
+
+Verification verify_clip(const std::filesystem::path& folder, int threads, bool show_progress) {
     Verification verification{manifest_of(folder), {}, {}, stray_temporaries(folder)};
     const FrameList& named = verification.manifest.frames;
-    Progress progress(static_cast<long>(named.size()), "frames", show_progress);
-    std::vector<long> frames;
-    for (auto frame = named.begin(); frame != named.end();) {
-        frames.clear();
-        for (; frame != named.end() && frames.size() < at_once; ++frame) frames.push_back(*frame);
-        add_faults(frames, faults_of(folder, frames, verification.manifest, threads), verification.faults);
-        progress.done(static_cast<long>(frames.size()));
-    }
+    verification.faults = find_faults(folder, verification.manifest, named, threads, show_progress);
     std::vector<long> unnamed;
     for (const long frame : frames_in(folder))
         if (!named.contains(frame)) unnamed.push_back(frame);

@@ -15,6 +15,11 @@ struct FrameFault {
     std::string what;  // "missing", "broken: why", "of another scene", ...
 };
 
+// Looks at these frames of the clip, pixels and all, in as many threads: whether each is there, whole, of the
+// manifest's scene and version, and has its own number.
+std::vector<FrameFault> find_faults(const std::filesystem::path& folder, const Manifest& manifest,
+                                    const FrameList& frames, int threads, bool show_progress);
+
 struct Verification {
     Manifest manifest;                          // of the folder's clip.json
     std::vector<FrameFault> faults;             // by frame
@@ -22,8 +27,7 @@ struct Verification {
     std::vector<std::filesystem::path> strays;  // temporary files of nobody who is at work here
 };
 
-// Looks at every frame that clip.json names, pixels and all, in as many threads: whether it is there, whole,
-// of this scene, version and number. Throws std::runtime_error where clip.json is missing or broken.
+// Looks at every frame that clip.json names. Throws std::runtime_error where clip.json is missing or broken.
 Verification verify_clip(const std::filesystem::path& folder, int threads, bool show_progress);
 
 // The frames that have a fault.

@@ -61,7 +61,7 @@ void write_video(const std::filesystem::path& video, const std::filesystem::path
         run_program(command, ".", [&](const auto& write) {
             for (const long frame : frames) {
                 Interrupts::check();
-                const auto bytes = read_file(folder / frame_name(frame, frames_of_clip));
+                const auto bytes = read_regular_file(folder / frame_name(frame, frames_of_clip));
                 write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
             }
         });

@@ -54,9 +54,9 @@ void add_options(CLI::App& app, DiffOptions& options) {
 }
 
 void write_reports(const DiffOptions& options, const Comparison& comparison, const Cause& cause) {
-    if (!options.report.empty()) write_file(options.report, to_html(comparison, cause));
-    if (!options.json.empty()) write_file(options.json, to_json(comparison, cause));
-    if (!options.junit.empty()) write_file(options.junit, to_junit(comparison, cause));
+    if (!options.report.empty()) write_file(options.report, to_html(comparison, cause), Place::named);
+    if (!options.json.empty()) write_file(options.json, to_json(comparison, cause), Place::named);
+    if (!options.junit.empty()) write_file(options.junit, to_junit(comparison, cause), Place::named);
 }
 
 // Says what it does; 0 where nothing that differs is left.

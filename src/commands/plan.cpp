@@ -129,7 +129,7 @@ int plan_scene(const PlanOptions& options) {
         throw std::runtime_error("the tolerance cannot be kept" +
                                  std::string(options.file.empty() ? "" : "; nothing was written"));
     if (options.file.empty()) return 0;
-    write_file(options.file, to_toml(scene));
+    write_file(options.file, to_toml(scene), Place::named);
     std::printf("written to %s\n", one_line(options.file).c_str());
     return 0;
 }

@@ -94,7 +94,7 @@ void write_frames(const SimulateOptions& options, const Scene& scene, const Fram
     const auto writer = make_positions_writer(options.file, scene, frames);
     std::optional<NewFile> diagnostics;
     if (!options.diagnostics.empty()) {
-        diagnostics.emplace(options.diagnostics);
+        diagnostics.emplace(options.diagnostics, Place::named);
         diagnostics->append(std::string(diagnostics_csv_header) + '\n');
     }
     for (;; simulation.advance()) {

@@ -93,10 +93,11 @@ class PointWorker {
         text += options.clips ? "clips " + std::to_string(options.sheet_frame.value_or(-1)) : "numbers";
         if (options.scene.no_error) text += " without errors";
         for (const std::string& each : options.variations) text += '\n' + each;
-        digest_ = digest(text);
+        digest_ = ropesim::digest(text);
     }
 
     const Sweep& sweep() const { return sweep_; }
+    const std::string& digest() const { return digest_; }  // of all that says what the points make
 
     // With this extension: ".csv", its line; ".png", its picture for the contact sheet; "", its clip's
     // folder.
@@ -107,8 +108,9 @@ class PointWorker {
     // What was found out about a point, by this very sweep; none where nothing was.
     std::optional<PointResult> result(long point) const {
         const std::filesystem::path file = path(point, ".csv");
-        if (!std::filesystem::is_regular_file(file)) return std::nullopt;
-        const auto bytes = read_file(file);
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
+        const auto bytes = read_regular_file(file);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         if (!text.starts_with(digest_ + '\n')) return std::nullopt;
         return parse_csv_line(sweep_, point, text.substr(digest_.size() + 1));
@@ -185,12 +187,14 @@ Sweep open_sweep(const SweepOptions& options) {
     }
 }
 
-void prepare(const SweepOptions& options, const PointWorker& worker, const Shard& shard) {
+// Keeps others out of the folder for as long as the lock is kept, but for shards of the same sweep.
+[[nodiscard]] FolderLock prepare(const SweepOptions& options, const PointWorker& worker, const Shard& shard) {
     std::error_code error;
     std::filesystem::create_directory(options.folder, error);
     if (error || !std::filesystem::is_directory(options.folder))
         throw std::runtime_error(options.folder.string() + ": cannot make the folder" +
                                  (error ? ": " + error.message() : ""));
+    FolderLock lock(options.folder, shard.count == 1 ? "" : worker.digest());
     remove_stale_temporaries(options.folder);
     bool there = std::filesystem::exists(options.folder / csv_name);
     for (long point = 0; point < worker.sweep().points() && !options.resume; ++point) {
@@ -206,6 +210,7 @@ void prepare(const SweepOptions& options, const PointWorker& worker, const Shard
             "it anew, -o names another folder");
     std::filesystem::remove(options.folder / csv_name, error);  // until the points are what it says
     if (error) throw std::runtime_error(options.folder.string() + ": cannot write: " + error.message());
+    return lock;
 }
 
 // Runs the points of the shard that have not been run.
@@ -253,7 +258,7 @@ std::string write_sheet(const SweepOptions& options, const PointWorker& worker) 
     std::vector<Image> cells;
     for (long point = 0; point < sweep.points(); ++point)
         cells.push_back(
-            decode_png(read_file(worker.path(point, ".png")), worker.path(point, ".png").string()));
+            decode_png(read_regular_file(worker.path(point, ".png")), worker.path(point, ".png").string()));
     write_file(options.folder / "sheet.png",
                encode_png(contact_sheet(cells, sheet_columns(sweep), sweep.scene.background), {}));
     return ", sheet.png";
@@ -313,7 +318,7 @@ int submit_sweep(const SweepOptions& options, const PointWorker& worker) {
          {"exec " + run + " --jobs " + std::to_string(options.jobs)}}};
     if (!options.batch.dry_run) {
         require_sbatch("the same without --submit, with --jobs 2");
-        prepare(options, worker, {});
+        const FolderLock lock = prepare(options, worker, {});
     }
     hand_over(options.batch, jobs, batch, to_toml(worker.sweep().scene));
     return 0;
@@ -323,7 +328,7 @@ int sweep(const SweepOptions& options) {
     const PointWorker worker(options, open_sweep(options));
     if (options.submit) return submit_sweep(options, worker);
     const Shard shard = selected_shard(options.shard);
-    prepare(options, worker, shard);
+    const FolderLock lock = prepare(options, worker, shard);
     run_points(options, worker, shard);
     if (shard.count == 1) gather(options, worker);
     return 0;

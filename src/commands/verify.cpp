@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace ropesim {
 namespace {
@@ -95,6 +96,11 @@ void repair(const VerifyOptions& options, const Manifest& manifest, const FrameL
     Simulation simulation(manifest.scene,
                           manifest.has_errors ? Simulation::Errors::estimated : Simulation::Errors::left_out);
     render_clip(manifest.scene, simulation, clip.positions_digest.empty() ? nullptr : &given, clip);
+    const std::vector<FrameFault> left =
+        find_faults(options.folder, manifest, frames, options.jobs.value_or(processors()), false);
+    if (!left.empty())
+        throw std::runtime_error(options.folder + ": not repaired, frame " +
+                                 std::to_string(left.front().frames.first) + " is " + left.front().what);
 }
 
 int verify(const VerifyOptions& options) {

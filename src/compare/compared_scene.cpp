@@ -17,16 +17,6 @@ constexpr std::array<std::array<std::uint8_t, 3>, most_compared> colors{{{86, 18
                                                                          {0, 114, 178},
                                                                          {160, 160, 160}}};
 
-const SceneRope& chosen_rope(const Scene& scene, const std::string& name) {
-    if (name.empty()) return scene.ropes.front();
-    std::string known;
-    for (const SceneRope& rope : scene.ropes) {
-        if (rope.name == name) return rope;
-        known += (known.empty() ? "'" : ", '") + rope.name + "'";
-    }
-    throw std::runtime_error("no rope '" + name + "' in the scene; expected one of: " + known);
-}
-
 std::string run_name(const std::string& method, int steps, bool steps_differ) {
     return steps_differ ? method + ", " + std::to_string(steps) + (steps == 1 ? " step" : " steps") : method;
 }
@@ -75,7 +65,7 @@ Scene compared_scene(const Scene& scene, const Choice& choice) {
     if (!as_they_are || scene.ropes.size() == 1) {
         Choice runs = choice;
         if (runs.methods.empty() && runs.steps.empty()) runs.methods = {"symplectic_euler", "stormer_verlet"};
-        compared.ropes = runs_of(scene, chosen_rope(scene, choice.rope), runs);
+        compared.ropes = runs_of(scene, rope_named(scene, choice.rope), runs);
     }
     check(compared.ropes);
     check_scene(compared);

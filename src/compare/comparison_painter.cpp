@@ -52,7 +52,7 @@ void lay_over(const Image& words, Color background, Image& picture) {
             if (const Color color = pixel(words, x, y); color != background) set_pixel(picture, x, y, color);
 }
 
-// As square as may be, no more than three in a row of up to six.
+// As square as may be; up to three in a row.
 Image arranged(const std::vector<Image>& panels, Color line) {
     constexpr int gap = 2;  // pixels
     const auto count = static_cast<int>(panels.size());
@@ -67,19 +67,20 @@ Image arranged(const std::vector<Image>& panels, Color line) {
     return all;
 }
 
-struct Box {
+struct GraphBox {
     double left, bottom, width, height;
 };
 
-// A curve in the box, of numbers from 0 to `top` over all frames, up to and with `frame`, one point for each
-// of its pixels at most. Where a run has diverged it ends.
-Polyline curve(const Parting& parting, std::size_t run, long frame, const Box& box, double top, Color color) {
+// A curve in the box, of numbers from 0 to `top` over all frames, up to and with `frame`, about one point for
+// each of its pixels at most. Where a run has diverged it ends.
+Polyline curve(const Parting& parting, std::size_t run, long frame, const GraphBox& box, double top,
+               Color color) {
     const auto frames = static_cast<long>(parting.frames.size());
-    const long stride = std::max(1L, std::lround(static_cast<double>(frames) / box.width));
+    const long stride = std::max(1L, std::lround(std::ceil(static_cast<double>(frames) / box.width)));
     const double step = box.width / static_cast<double>(std::max(1L, frames - 1));
-    Polyline line{Points(frame / stride + 1, 2), color, 1.5, 0.0};
+    Polyline line{Points(frame / stride + 2, 2), color, 1.5, 0.0};
     Eigen::Index count = 0;
-    for (long f = 0; f <= frame; f += stride) {
+    for (long f = 0; f <= frame; f = f < frame ? std::min(f + stride, frame) : frame + 1) {
         const auto& apart = parting.frames[static_cast<std::size_t>(f)][run].apart;
         if (!apart) break;
         line.points.row(count++) << box.left + step * static_cast<double>(f),
@@ -101,7 +102,7 @@ Color legible(const Color& color, const Color& background) {
     return mixed;
 }
 
-Polyline axes(const Box& box) {
+Polyline axes(const GraphBox& box) {
     Polyline line{Points(3, 2), gray, 1.0, 0.0};
     line.points << box.left, box.bottom + box.height, box.left, box.bottom, box.left + box.width, box.bottom;
     return line;
@@ -143,7 +144,7 @@ Image ComparisonPainter::corner(long frame, std::span<const std::size_t> runs) c
     const int width = scene_.size[0];
     const int height = std::min(scene_.size[1], 24 * static_cast<int>(words.size()) + 40);
     const double side = std::min(240.0, width / 4.0);
-    const Box box{width - side - 12.0, height - 12.0 - side / 3.0, side, side / 3.0};
+    const GraphBox box{width - side - 12.0, height - 12.0 - side / 3.0, side, side / 3.0};
     std::vector<Polyline> graph;
     if (with_graph) graph.push_back(axes(box));
     for (const std::size_t run : runs)

@@ -26,7 +26,7 @@ void accept_frame(const Comparison& comparison, const FrameComparison& frame, Ac
         return;
     }
     const std::filesystem::path actual = actual_path(comparison, frame);
-    const std::vector<std::uint8_t> bytes = read_file(actual);
+    const std::vector<std::uint8_t> bytes = read_regular_file(actual);
     if (!can_be_read(bytes)) {
         accepted.left.push_back(name + ": ACTUAL's is no whole PNG");
         return;

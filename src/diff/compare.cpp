@@ -69,16 +69,17 @@ long number_in(const std::string& name) {
 
 Names pictures_in(const std::filesystem::path& folder) {
     Names names;
+    std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().extension() == ".png" && entry.is_regular_file())
+        if (entry.path().extension() == ".png" && !entry.is_directory(ignored))
             names.insert(entry.path().filename().string());
     return names;
 }
 
-// The bytes of a file, or what keeps them from being read, added to `problem`.
-Bytes read(const std::filesystem::path& path, std::string& problem) {
+// The bytes of a picture, of a folder or named, or what keeps them from being read, added to `problem`.
+Bytes read(const std::filesystem::path& path, bool in_folder, std::string& problem) {
     try {
-        return read_file(path);
+        return in_folder ? read_regular_file(path) : read_file(path);
     } catch (const std::runtime_error& error) {
         problem += (problem.empty() ? "" : "; ") + std::string(error.what());
         return {};
@@ -143,8 +144,8 @@ Verdict verdict_of(const PixelDifference& difference, const Tolerance& tolerance
 void compare_frame(const Comparison& comparison, FrameComparison& frame) {
     const std::filesystem::path expected = expected_path(comparison, frame);
     const std::filesystem::path actual = actual_path(comparison, frame);
-    const Bytes expected_bytes = read(expected, frame.problem);
-    const Bytes actual_bytes = read(actual, frame.problem);
+    const Bytes expected_bytes = read(expected, comparison.folders, frame.problem);
+    const Bytes actual_bytes = read(actual, comparison.folders, frame.problem);
     frame.verdict = Verdict::unreadable;
     if (!frame.problem.empty()) return;
     frame.verdict = Verdict::same_bytes;

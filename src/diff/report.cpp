@@ -26,7 +26,7 @@ struct Pictures {
 // Adds a picture and gives its id; "" where there is none that a browser could show.
 std::string add_picture(Pictures& pictures, const std::filesystem::path& path, const std::string& id) {
     try {
-        const std::vector<std::uint8_t> bytes = read_file(path);
+        const std::vector<std::uint8_t> bytes = read_regular_file(path);
         decode_png(bytes, path.string());
         pictures.bytes += bytes.size();
         pictures.elements += "<script type=\"text/plain\" id=\"" + id + "\">" +

@@ -19,8 +19,8 @@ std::optional<bool> shows(const Comparison& comparison, std::size_t frame, long 
     const auto expected = expected_path(comparison, source);
     const auto actual = actual_path(comparison, late);
     try {
-        return decode_png(read_file(expected), expected.string()) ==
-               decode_png(read_file(actual), actual.string());
+        return decode_png(read_regular_file(expected), expected.string()) ==
+               decode_png(read_regular_file(actual), actual.string());
     } catch (const std::runtime_error&) {
         return std::nullopt;
     }

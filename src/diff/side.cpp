@@ -27,7 +27,7 @@ const FrameComparison* frame_with_scene(const Comparison& comparison, Which whic
 }
 
 void read_frame(const std::filesystem::path& path, Side& side) {
-    const Texts texts = decode_png_texts(read_file(path), path.string());
+    const Texts texts = decode_png_texts(read_regular_file(path), path.string());
     side.scene = scene_of(texts, path.string());
     side.drawn_from_positions = !positions_digest_of(texts).empty();
 }

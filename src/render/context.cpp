@@ -37,13 +37,14 @@ void check_known(std::string_view wanted) {
     throw std::runtime_error("ROPESIM_CONTEXT is '" + std::string(wanted) + "'; expected " + known);
 }
 
-// Has malloc lay its next blocks in pages of 2 MB, where the kernel has them for the asking. LLVM and the
-// framebuffers of 1280 x 720 touch 16 MB as they start; in pages of 4 KB that was a third of the start.
+// Has malloc lay its next blocks in pages of 2 MB, where Linux has them for the asking: LLVM and framebuffers
+// touch some 16 MB as they start, and in pages of 4 KB that takes 48 ms more, of 157. The reserve is address
+// space, and memory only where it is touched; it must be less than what malloc maps apart.
 void use_large_pages() {
     constexpr std::uintptr_t page = 2 << 20;
-    constexpr std::size_t reserve = 15 * page;  // taken from the kernel only where it is touched
-    mallopt(M_MMAP_THRESHOLD, 16 * page);       // the most that it lets one set
-    mallopt(M_TRIM_THRESHOLD, 32 * page);
+    constexpr std::size_t reserve = 15 * page;
+    mallopt(M_MMAP_THRESHOLD, 16 * page);  // the most that can be set
+    mallopt(M_TRIM_THRESHOLD, 16 * page);  // or the reserve would be given back at once
     void* const block = std::malloc(reserve);
     const auto begin = reinterpret_cast<std::uintptr_t>(block);
     const std::uintptr_t first = (begin + page - 1) / page * page;
@@ -51,14 +52,19 @@ void use_large_pages() {
     std::free(block);
 }
 
+bool set_up_process() {
+    use_large_pages();
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
+    setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
+    return true;
+}
+
 }  // namespace
 
 std::unique_ptr<OffscreenContext> make_context() {
     const char* wanted = std::getenv("ROPESIM_CONTEXT");
     if (wanted) check_known(wanted);
-    use_large_pages();
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
-    setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
+    [[maybe_unused]] static const bool is_set_up = set_up_process();
     std::string failures;
     std::string packages;
     for (const Way& way : ways) {

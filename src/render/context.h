@@ -31,8 +31,8 @@ std::unique_ptr<OffscreenContext> make_egl_context();
 // "egl". Throws std::runtime_error where the variable is another word, or where no context can be made:
 // the message names what was tried and the Debian packages to install.
 //
-// Sets LP_NUM_THREADS=0 in the environment unless it is set: llvmpipe's own threads make a small
-// picture three times slower.
+// The first also has malloc take large pages, and sets LP_NUM_THREADS=0 in the environment unless it is set:
+// llvmpipe's own threads make a small picture three times slower.
 std::unique_ptr<OffscreenContext> make_context();
 
 }  // namespace ropesim

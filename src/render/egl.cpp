@@ -42,8 +42,8 @@ EglFunctions load_egl() {
 class EglContext final : public OffscreenContext {
   public:
     EglContext() : egl_(load_egl()) {
-        // The same driver as OSMesa's, llvmpipe, also where there is a graphics card.
-        // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
+        // The same driver as OSMesa's, llvmpipe, also where there is a graphics card; unless the user has set
+        // it. NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", /*overwrite=*/0);
         open_display();
         open_context();

@@ -44,7 +44,7 @@ bool covers_any(const std::uint8_t* coverage, int pixels) {
     return any != 0;
 }
 
-// The same in a box of the picture, most of which nothing covers.
+// mix_row in a box of the picture, most of which nothing covers.
 void mix_box(std::span<const Color> colors, const std::uint8_t* coverage, const PixelBox& box, Image& image) {
     constexpr int at_once = 16;  // pixels
     for (int y = box.top; y < box.bottom; ++y) {

@@ -43,6 +43,7 @@ WordsPainter::WordsPainter(int width, int height, std::span<const Words> words) 
 void WordsPainter::paint(const PixelBox& box, Image& image) const {
     for (const auto& [at, lettering, color] : lines_) {
         const PixelBox part = intersection(at, box);
+        if (part.empty()) continue;
         for (int y = part.top; y < part.bottom; ++y) {
             const std::uint8_t* const coverage =
                 &lettering.coverage[index(part.left - at.left, y - at.top, lettering.width)];

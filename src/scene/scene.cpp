@@ -148,4 +148,17 @@ std::vector<BuiltinScene> builtin_scenes() {
     return scenes;
 }
 
+const SceneRope& rope_named(const Scene& scene, std::string_view name) {
+    constexpr std::size_t most_listed = 12;
+    std::string known;
+    for (std::size_t i = 0; i < scene.ropes.size(); ++i) {
+        const SceneRope& rope = scene.ropes[i];
+        if (name.empty() || rope.name == name) return rope;
+        if (i < most_listed) known += (known.empty() ? "'" : ", '") + rope.name + "'";
+    }
+    if (scene.ropes.size() > most_listed)
+        known += " and " + std::to_string(scene.ropes.size() - most_listed) + " more";
+    throw std::runtime_error("no rope '" + printable(name) + "' in the scene; expected one of: " + known);
+}
+
 }  // namespace ropesim

@@ -69,6 +69,9 @@ inline constexpr std::size_t largest_scene = std::size_t{1} << 26;
 // "name:line:column: what was found, what was expected".
 Scene parse_scene(std::string_view toml, std::string_view name);
 
+// The rope of that name; the first where `name` is "". Throws std::runtime_error that lists the names.
+const SceneRope& rope_named(const Scene& scene, std::string_view name);
+
 // Checks what several keys decide together, and what options may have changed after parsing: pins that
 // exist, one mass per node, neighbours apart, unique names, ranges. Throws std::runtime_error that names the
 // rope and key. parse_scene has checked the same (with positions in its messages).

@@ -37,7 +37,7 @@ class Writer {
     static std::string value(bool claim) { return claim ? "true" : "false"; }
     template <class Number>
     static std::string value(const std::optional<Number>& number) {
-        return value(*number);  // none that is left out
+        return value(*number);  // as is_left_out said
     }
     static std::string value(const MethodName<const std::string>& method) { return value(method.name); }
 

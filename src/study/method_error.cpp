@@ -31,19 +31,15 @@ Problem problem(const Scene& scene, const SceneRope& description) {
     return problem;
 }
 
-const SceneRope& rope_named(const Scene& scene, std::string_view name) {
-    std::string known;
-    for (const SceneRope& rope : scene.ropes) {
-        if (name.empty() || rope.name == name) return rope;
-        known += (known.empty() ? "'" : ", '") + rope.name + "'";
-    }
-    throw std::runtime_error("no rope '" + std::string(name) + "' in the scene; expected one of: " + known);
+std::string obstacle(const Problem& problem, Model model) {
+    if (model == problem.model) return "";
+    if (model == Model::elastic) return "moves springs, and this rope's links keep their length";
+    if (links_at_rest_length(problem.rope, problem.rope.start)) return "";
+    return "keeps links at rest length, and this rope's do not start at it";
 }
 
 bool fits(const Problem& problem, const Method& method) {
-    if (method.model == problem.model) return true;
-    if (problem.model == Model::inextensible) return false;
-    return links_at_rest_length(problem.rope, problem.rope.start);
+    return obstacle(problem, method.model).empty();
 }
 
 Stepping stepping(const Problem& problem, long steps_per_frame) {

@@ -23,12 +23,11 @@ struct Problem {
 // Throws std::runtime_error where the damping factor is 1, which is no rate.
 Problem problem(const Scene& scene, const SceneRope& rope);
 
-// The rope of that name; the first where `name` is "". Throws std::runtime_error that lists the names.
-const SceneRope& rope_named(const Scene& scene, std::string_view name);
-
-// Whether the method can move the problem's rope: it is of the rope's model, or the rope has springs and the
-// method none, and the links start at rest length (to 1e-9 of it), as those without springs must.
-bool fits(const Problem& problem, const Method& method);
+// Why a method of that model cannot move the problem's rope; "" where it can: it is the rope's model, or the
+// rope has springs and the method none, and the links start at rest length (to 1e-9 of it), as those without
+// springs must.
+std::string obstacle(const Problem& problem, Model model);
+bool fits(const Problem& problem, const Method& method);  // there is none
 
 // The problem's equal steps.
 Stepping stepping(const Problem& problem, long steps_per_frame);

@@ -21,7 +21,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
 
 std::string failure_of_writing(const std::filesystem::path& path) {
     try {
-        write_file(path, std::string_view("new"));
+        write_file(path, std::string_view("new"), Place::named);
         return "";
     } catch (const std::runtime_error& error) {
         return error.what();
@@ -60,10 +60,18 @@ TEST(WriteFile, WritesIntoAPipe) {
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     std::string read;
     std::thread reader([&] { read = text_of(pipe); });
-    write_file(pipe, std::string_view("through"));
+    write_file(pipe, std::string_view("through"), Place::named);
     reader.join();
     EXPECT_EQ(read, "through");
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(WriteFile, ReplacesAPipeThatNobodyNamed) {
+    const TemporaryFolder folder;
+    const std::filesystem::path pipe = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    write_file(pipe, std::string_view("new"));
+    EXPECT_EQ(text_of(pipe), "new");
 }
 
 TEST(ReadFile, NamesTheFileThatIsNotThere) {

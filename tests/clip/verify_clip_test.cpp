@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 namespace ropesim {
 namespace {
 
@@ -80,6 +82,23 @@ TEST_F(VerifyClip, NamesWhatIsWrongWithFrames) {
                                       StartsWith("7: broken: the file is cut off after 100 bytes"),
                                       "8: wrong number, it is frame '9'"));
     EXPECT_EQ(faulty_frames(verify_clip(folder, 1, false)), (FrameList{2, 3, 4, 6, 7, 8}));
+}
+
+// A pipe would keep one waiting for ever, a device would never end.
+TEST_F(VerifyClip, NamesWhatIsNoFile) {
+    render(scene, all);
+    for (const long number : {1, 2, 3, 4, 5}) std::filesystem::remove(frame(number));
+    ASSERT_EQ(::mkfifo(frame(1).c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", frame(2));
+    std::filesystem::create_directory(frame(3));
+    std::filesystem::create_symlink(frame(4).filename(), frame(4));
+    std::filesystem::create_symlink("nowhere", frame(5));
+    EXPECT_THAT(faults(), ElementsAre("1:3: broken: is no regular file",
+                                      "4: broken: cannot open: Too many levels of symbolic links",
+                                      "5: broken: cannot open: No such file or directory"));
+    std::filesystem::remove(folder / "clip.json");
+    ASSERT_EQ(::mkfifo((folder / "clip.json").c_str(), 0600), 0);
+    EXPECT_THAT(failure(), HasSubstr("clip.json: is no regular file"));
 }
 
 TEST_F(VerifyClip, NamesFramesOfAnotherVersionOrSize) {

@@ -119,6 +119,17 @@ TEST_F(BadInput, AsAPath) {
         expect_refused({"simulate", "-o", path});
 }
 
+// Of ten thousand names, a line that can be read.
+TEST_F(BadInput, AsARopesName) {
+    write("many.toml", repeated("[[rope]]\nstart = [0, 0]\nend = [1, 0]\n", 10'000));
+    for (const char* command : {"compare", "study"}) {
+        std::vector<std::string> arguments = {command, "many.toml", "--rope", "none"};
+        if (arguments[0] == "study") arguments.insert(arguments.begin() + 1, "stability");
+        expect_refused(arguments, "no rope 'none' in the scene");
+        EXPECT_LT(ropesim(temporary.path(), arguments).err.size(), 300u);
+    }
+}
+
 TEST_F(BadInput, AsAScene) {
     for (const char* number : {"nan", "inf", "-inf", "1e308", "1e400", "-1e16", "true", "\"1\"", "[]", "{}"})
         for (const char* key : {"mass", "stiffness", "rest_length", "nodes", "damping", "line_width",

@@ -1,4 +1,5 @@
 #include "clip/file.h"
+#include "clip/folder_lock.h"
 #include "clip/frames.h"
 #include "clip/manifest.h"
 #include "clip/temporary_folder.h"
@@ -8,6 +9,8 @@
 #include "simulation/method.h"
 
 #include <gmock/gmock.h>
+
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <csignal>
@@ -127,6 +130,46 @@ TEST_F(CommandLine, VerifyNamesWhatIsNotRightAndRepairsJustThat) {
     EXPECT_THAT(repaired.out, HasSubstr("rendered 2 frames anew: 1,3\n"));
     EXPECT_EQ(contents("frames"), undisturbed);
     EXPECT_EQ(std::filesystem::last_write_time(temporary.path() / "frames" / "frame_0000.png"), age);
+}
+
+// What has a frame's name gives way to the frame, and is not written into.
+TEST_F(CommandLine, RenderAndRepairReplaceWhatIsNoFrame) {
+    write("small.toml", small_seed());
+    run({"render", "small.toml"});
+    const auto undisturbed = contents("frames");
+    const std::vector<std::vector<std::string>> commands = {{"verify", "frames", "--repair"},
+                                                            {"render", "small.toml", "--resume"},
+                                                            {"render", "small.toml", "--overwrite"}};
+    for (const auto& command : commands) {
+        const std::filesystem::path frames = temporary.path() / "frames";
+        for (const char* name : {"frame_0001.png", "frame_0002.png", "frame_0003.png"})
+            std::filesystem::remove(frames / name);
+        ASSERT_EQ(::mkfifo((frames / "frame_0001.png").c_str(), 0600), 0);
+        std::filesystem::create_symlink("/dev/null", frames / "frame_0002.png");
+        std::filesystem::create_symlink("/dev/full", frames / "frame_0003.png");
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(contents("frames"), undisturbed) << command[0];
+        for (const char* name : {"frame_0001.png", "frame_0002.png", "frame_0003.png"})
+            EXPECT_EQ(std::filesystem::symlink_status(frames / name).type(),
+                      std::filesystem::file_type::regular);
+    }
+    std::filesystem::create_directories(temporary.path() / "frames/frame_0004.png.d");
+    std::filesystem::remove(temporary.path() / "frames/frame_0004.png");
+    std::filesystem::rename(temporary.path() / "frames/frame_0004.png.d",
+                            temporary.path() / "frames/frame_0004.png");
+    EXPECT_EQ(run({"verify", "frames", "--repair"}).status, 1) << "a folder is left to its owner";
+}
+
+TEST_F(CommandLine, SweepKeepsOthersOutOfItsFolder) {
+    write("small.toml", small_seed());
+    std::filesystem::create_directory(temporary.path() / "grid");
+    const std::vector<std::string> command = {"sweep", "small.toml", "--vary", "mass=1,2", "-o", "grid"};
+    {
+        const FolderLock lock(temporary.path() / "grid", "");
+        EXPECT_THAT(run(command).err, HasSubstr("another ropesim is writing"));
+    }
+    EXPECT_EQ(run(command).status, 0);
 }
 
 TEST_F(CommandLine, VerifyRepairsACompactClipCompactly) {

@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 namespace ropesim {
 namespace {
 
@@ -74,6 +76,17 @@ TEST_F(Folders, OfOtherSizesAndOfNoPictures) {
     EXPECT_EQ(comparison.frames[2].verdict, Verdict::unreadable);
     EXPECT_THAT(comparison.frames[2].problem, AllOf(HasSubstr("actual"), HasSubstr("PNG signature")));
     EXPECT_EQ(comparison.frames[3].verdict, Verdict::same_bytes);
+    EXPECT_EQ(status(comparison), 3);
+}
+
+// A pipe would keep one waiting for ever, and is no reason to call two folders the same.
+TEST_F(Folders, NameWhatIsNoFile) {
+    put_both(0, black);
+    put("expected", 1, black);
+    ASSERT_EQ(::mkfifo((temporary.path() / "actual/frame_0001.png").c_str(), 0600), 0);
+    const Comparison comparison = compared();
+    EXPECT_EQ(comparison.frames[1].verdict, Verdict::unreadable);
+    EXPECT_THAT(comparison.frames[1].problem, HasSubstr("frame_0001.png: is no regular file"));
     EXPECT_EQ(status(comparison), 3);
 }
 

@@ -110,7 +110,7 @@ void draw_what_comes(int socket, const DrawFrame& draw) {
         if (!read_all(socket, message)) return;
         Interrupts::check();
         draw(header.frame, positions_in(message, header.ropes));
-        send_all(socket, {&mark, 1});
+        if (!send_all(socket, {&mark, 1})) return;
     }
 }
 

@@ -11,7 +11,8 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <link.h>
-#include <sys/file.h>
+#include <poll.h>
+#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -126,7 +127,7 @@ bool is_likely(const char* name) {
             return is_one_of(name, {"open", "openat", "dup", "fork", "socketpair", "pipe2"});
         case EINTR:
             return is_one_of(name, {"open", "openat", "read", "pread", "write", "pwrite", "close", "fsync",
-                                    "fdatasync", "flock"});
+                                    "fdatasync", "fcntl", "poll", "send"});
         default:
             return true;
     }
@@ -264,9 +265,39 @@ int fdatasync(int file) {
     return real<int (*)(int)>("fdatasync")(file);
 }
 
-int flock(int file, int operation) {
-    if (fails(is_watched(file), "flock")) return -1;
-    return real<int (*)(int, int)>("flock")(file, operation);
+int fcntl(int file, int command, ...) {
+    va_list more;
+    va_start(more, command);
+    void* const argument = va_arg(more, void*);
+    va_end(more);
+    if (fails(command == F_OFD_SETLK && is_watched(file), "fcntl")) return -1;
+    return real<int (*)(int, int, ...)>("fcntl")(file, command, argument);
+}
+
+int fcntl64(int file, int command, ...) {
+    va_list more;
+    va_start(more, command);
+    void* const argument = va_arg(more, void*);
+    va_end(more);
+    return fcntl(file, command, argument);
+}
+
+ssize_t send(int socket, const void* bytes, std::size_t size, int flags) {
+    if (fails(true, "send")) return -1;
+    return real<ssize_t (*)(int, const void*, std::size_t, int)>("send")(socket, bytes, size, flags);
+}
+
+int poll(pollfd* files, nfds_t count, int timeout) {
+    if (fails(true, "poll")) return -1;
+    return real<int (*)(pollfd*, nfds_t, int)>("poll")(files, count, timeout);
+}
+
+int posix_spawnp(pid_t* process, const char* file, const posix_spawn_file_actions_t* actions,
+                 const posix_spawnattr_t* attributes, char* const arguments[], char* const environment[]) {
+    if (fails(true, "posix_spawnp")) return kind;
+    using Spawn = int (*)(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*,
+                          char* const*, char* const*);
+    return real<Spawn>("posix_spawnp")(process, file, actions, attributes, arguments, environment);
 }
 
 int rename(const char* from, const char* to) {

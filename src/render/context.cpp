@@ -43,8 +43,10 @@ void check_known(std::string_view wanted) {
 void use_large_pages() {
     constexpr std::uintptr_t page = 2 << 20;
     constexpr std::size_t reserve = 15 * page;
+    // NOLINTBEGIN(concurrency-mt-unsafe): no other thread yet
     mallopt(M_MMAP_THRESHOLD, 16 * page);  // the most that can be set
     mallopt(M_TRIM_THRESHOLD, 16 * page);  // or the reserve would be given back at once
+    // NOLINTEND(concurrency-mt-unsafe)
     void* const block = std::malloc(reserve);
     const auto begin = reinterpret_cast<std::uintptr_t>(block);
     const std::uintptr_t first = (begin + page - 1) / page * page;

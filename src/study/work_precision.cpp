@@ -131,7 +131,7 @@ std::function<void()> task(const Contender& contender, const Problem& problem, c
 
 std::string obstacle(const Problem& problem, const Contender& contender) {
     const Model model = contender.method ? contender.method->model : Model::elastic;
-    const std::string of_model = obstacle(problem, model);
+    std::string of_model = obstacle(problem, model);
     if (!of_model.empty() || contender.damps || problem.rope.damping == 0.0) return of_model;
     return "follows no damping, and this rope has some";
 }

@@ -41,7 +41,8 @@ std::string all_of(int file) {
 TEST(Progress, IsALineOnATerminalThatGoesAway) {
     int terminal = 0;
     int file = 0;
-    ASSERT_EQ(::openpty(&terminal, &file, nullptr, nullptr, nullptr), 0);
+    if (::openpty(&terminal, &file, nullptr, nullptr, nullptr) != 0)
+        GTEST_SKIP() << "no terminal can be made here: is /dev/pts mounted?";
     make_three_of_ten(file);
     EXPECT_THAT(all_of(terminal),
                 MatchesRegex("\r3 of 9 frames, .* per second, [0-9]+:[0-9][0-9] left\x1b\\[K\r\x1b\\[K"));

@@ -56,9 +56,19 @@ void use_large_pages() {
 
 bool set_up_process() {
     use_large_pages();
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
+    // NOLINTBEGIN(concurrency-mt-unsafe): no other thread yet
     setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
+    setenv("EGL_LOG_LEVEL", "fatal", /*overwrite=*/0);  // or a failure here would be told in many lines
+    // NOLINTEND(concurrency-mt-unsafe)
     return true;
+}
+
+// What would help. The loader says of a library that memory has no room for that it is not mapped, and no
+// more.
+std::string advice(const std::string& failures, const std::string& packages) {
+    if (failures.find("failed to map segment") != std::string::npos)
+        return "it needs 250 MB of memory; see ulimit -v, or the limit of the container";
+    return "install the Debian package " + packages;
 }
 
 }  // namespace
@@ -78,8 +88,8 @@ std::unique_ptr<OffscreenContext> make_context() {
             append(packages, ", or ", way.packages);
         }
     }
-    throw std::runtime_error("no OpenGL 3.3 context could be made (" + failures +
-                             "); install the Debian package " + packages);
+    throw std::runtime_error("no OpenGL 3.3 context could be made (" + failures + "); " +
+                             advice(failures, packages));
 }
 
 }  // namespace ropesim

@@ -30,6 +30,9 @@ namespace {
 // leave it with more to do than the others in the end.
 constexpr std::size_t most_frames = 2;
 
+// What a helper sends for each frame that it has drawn. Where it fails, it sends why instead, and ends.
+constexpr char drawn_mark = '\1';
+
 using Bytes = std::span<std::byte>;
 
 // A frame as it goes to a helper: this, then for each rope the number of its masses and their coordinates.
@@ -104,30 +107,43 @@ std::vector<Points> positions_in(std::span<const std::byte> message, std::size_t
 void draw_what_comes(int socket, const DrawFrame& draw) {
     FrameHeader header;
     std::vector<std::byte> message;
-    constexpr std::byte mark{1};
     while (read_all(socket, std::as_writable_bytes(std::span(&header, 1)))) {
         message.resize(header.size);
         if (!read_all(socket, message)) return;
         Interrupts::check();
         draw(header.frame, positions_in(message, header.ropes));
-        if (!send_all(socket, {&mark, 1})) return;
+        if (!send_all(socket, std::as_bytes(std::span(&drawn_mark, 1)))) return;
     }
 }
 
 // The whole life of a helper.
 [[noreturn]] void help(int socket, const DrawFrame& draw) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody works on when the parent was killed
-    int status = 0;
+    std::string failure;
     try {
         draw_what_comes(socket, draw);
     } catch (const Interrupted& interrupted) {
-        status = 128 + interrupted.signal;
+        ::_exit(128 + interrupted.signal);
+    } catch (const std::bad_alloc&) {
+        failure = "out of memory";
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "ropesim: %s\n", one_line(error.what()).c_str());
-        status = 1;
+        failure = one_line(error.what());
     }
-    std::fflush(nullptr);
-    ::_exit(status);
+    ::send(socket, failure.data(), failure.size(), MSG_NOSIGNAL);
+    ::_exit(failure.empty() ? 0 : 1);
+}
+
+// What a helper has sent by now; nothing where it has ended.
+std::string received(int socket) {
+    std::array<char, 4096> bytes;
+    const ssize_t count = ::recv(socket, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
+// All that one that has ended had sent, without the marks of what it drew: why it failed, where it did.
+std::string last_words(int socket, std::string words) {
+    for (std::string more = received(socket); !more.empty(); more = received(socket)) words += more;
+    return words.substr(std::min(words.find_first_not_of(drawn_mark), words.size()));
 }
 
 // Waits for a process to end.
@@ -187,7 +203,7 @@ bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
     if (idlest == asked.end() || idlest->undrawn.size() == most_frames) return false;
     std::vector<std::byte> message = message_of(frame, positions);
     if (!send_all(idlest->socket, message)) {
-        bury(static_cast<std::size_t>(idlest - asked.begin()));
+        bury(static_cast<std::size_t>(idlest - asked.begin()), "");
         return false;
     }
     idlest->undrawn.push_back(std::move(message));
@@ -214,26 +230,26 @@ void Helpers::receive_marks(bool wait) {
     }
     for (std::size_t i = sockets.size(); i-- > 0;) {  // from the last, as those that died go
         if (sockets[i].revents == 0) continue;
-        std::array<char, most_frames> marks;
-        const ssize_t count = ::read(sockets[i].fd, marks.data(), marks.size());
-        if (count <= 0) {
-            bury(i);
-            continue;
-        }
+        const std::string words = received(sockets[i].fd);
+        const auto marks = static_cast<long>(std::min(words.find_first_not_of(drawn_mark), words.size()));
         std::deque<std::vector<std::byte>>& undrawn = helpers_[i].undrawn;
-        undrawn.erase(undrawn.begin(), undrawn.begin() + count);
-        drawn_ += count;
+        undrawn.erase(undrawn.begin(), undrawn.begin() + marks);
+        drawn_ += marks;
+        if (marks == 0 || !words.ends_with(drawn_mark)) bury(i, words);
     }
 }
 
-// Draws what a helper left that was killed; one that failed would fail again.
-void Helpers::bury(std::size_t helper) {
+// Draws what a helper left that was killed; one that failed would fail again. The words are what it has sent
+// at last, as far as that has been received.
+void Helpers::bury(std::size_t helper, std::string words) {
     const Helper dead = std::move(helpers_[helper]);
     helpers_.erase(helpers_.begin() + static_cast<std::ptrdiff_t>(helper));
+    const std::string failure = last_words(dead.socket, std::move(words));
     ::close(dead.socket);
     const int status = status_of(dead.process);
     Interrupts::check();
-    if (signal_of(status) == 0) throw std::runtime_error("a job failed; --resume does what it left");
+    if (!failure.empty()) throw std::runtime_error(failure);
+    if (signal_of(status) == 0) throw std::runtime_error("a job ended before its work was done");
     any_died_ = true;
     std::fprintf(stderr, "ropesim: a job was ended by signal %d (%s); its frames are drawn again\n",
                  signal_of(status),

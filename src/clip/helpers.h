@@ -32,7 +32,7 @@ class Helpers {
     bool any_died() const { return any_died_; }
 
     // Has the frame drawn by the one of the first `most` helpers that has the least to do; false where all
-    // have enough to do. Throws std::runtime_error where a helper has failed; it has said why on stderr.
+    // have enough to do. Throws std::runtime_error where a helper has failed, with what it says.
     bool take(long frame, const std::vector<Points>& positions, int most);
 
     // How many frames were drawn since this was last asked.
@@ -44,13 +44,13 @@ class Helpers {
   private:
     struct Helper {
         pid_t process;
-        int socket;  // frames go there, and a mark comes back for each that is drawn
+        int socket;                                  // frames go there; what is drawn, or why not, comes back
         std::deque<std::vector<std::byte>> undrawn;  // messages of the frames that it has
     };
 
     void start();
     void receive_marks(bool wait);
-    void bury(std::size_t helper);
+    void bury(std::size_t helper, std::string words);
     void end_all();
 
     DrawFrame draw_;

@@ -15,6 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 class HelpersTest : public testing::Test {
   protected:
@@ -63,12 +64,27 @@ TEST_F(HelpersTest, DrawAllThoughAllHelpersWereKilled) {
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
-TEST_F(HelpersTest, FailWhereOneFailed) {
+TEST_F(HelpersTest, FailWithTheReasonOfOneThatFailed) {
     Helpers helpers(2,
                     [&](long, const std::vector<Points>&) { throw std::runtime_error("the disk is full"); });
     const std::vector<Points> positions{Points::Zero(1, 2)};
     EXPECT_TRUE(helpers.take(0, positions, 2));
-    EXPECT_THROW(helpers.finish(), std::runtime_error);
+    testing::internal::CaptureStderr();
+    EXPECT_THAT([&] { helpers.finish(); }, ThrowsMessage<std::runtime_error>("the disk is full"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it is said once, by who asked";
+}
+
+TEST_F(HelpersTest, FailWithTheReasonOfOneThatFailedLater) {
+    Helpers helpers(1, [&](long frame, const std::vector<Points>& positions) {
+        if (frame == 5) throw std::bad_alloc();
+        draw(frame, positions);
+    });
+    const std::vector<Points> positions{Points::Zero(1, 2)};
+    const auto draw_until_it_fails = [&] {
+        for (long frame = 0;;) frame += helpers.take(frame, positions, 1);
+    };
+    EXPECT_THAT(draw_until_it_fails, ThrowsMessage<std::runtime_error>("out of memory"));
+    EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4));
 }
 
 }  // namespace

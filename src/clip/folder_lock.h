@@ -5,7 +5,7 @@
 
 namespace ropesim {
 
-// Keeps other processes of ropesim from writing frames into a folder while it lives. It leaves no file, and
+// Keeps other processes of ropesim from writing into a folder while it lives. It leaves no file, and
 // the system lets go of it when the process has ended, however it ended, and its helpers with it. Where the
 // file system has no locks (some of networks), nobody is kept out.
 class FolderLock {

@@ -1,5 +1,6 @@
 #include "clip/chart.h"
 #include "clip/file.h"
+#include "clip/folder_lock.h"
 #include "clip/interrupt.h"
 #include "clip/manifest.h"
 #include "commands/commands.h"
@@ -55,10 +56,13 @@ Scene opened(const StudyOptions& options) {
     return scene;
 }
 
-void make_folder(const std::string& folder) {
+// Others are kept out while the lock lives: the files have the same names, and two studies at a time would
+// spoil each other's times.
+[[nodiscard]] FolderLock made_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directory(folder, error);
     if (error) throw std::runtime_error(folder + ": cannot make the folder: " + error.message());
+    return {folder, ""};
 }
 
 // One line on a terminal that says what is being done and how far it is; no line elsewhere.
@@ -131,7 +135,7 @@ int stability(const StudyOptions& options) {
     const Problem subject_problem = problem(scene, rope);
     const std::vector<const Method*> all = methods_named(subject_problem, options.methods);
     require_gnuplot();
-    make_folder(options.folder);
+    const FolderLock lock = made_folder(options.folder);
     const Against against = options.against == "damping" ? Against::damping : Against::stiffness;
     StatusLine status;
     const StabilityMap map = stability_map(
@@ -156,7 +160,7 @@ int work_precision(const StudyOptions& options) {
     const Problem subject_problem = problem(scene, rope);
     const std::vector<Contender> all = contenders(subject_problem, options.methods);
     require_gnuplot();
-    make_folder(options.folder);
+    const FolderLock lock = made_folder(options.folder);
     StatusLine status;
     const WorkPrecision study =
         work_precision(subject_problem, all,

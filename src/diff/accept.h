@@ -13,7 +13,8 @@ struct Accepted {
 };
 
 // Makes ACTUAL the expected: copies every frame that differs, is new or of another size over EXPECTED's. A
-// frame that ACTUAL lacks, or that cannot be read, is left as it is. Throws where a file cannot be written.
+// frame that ACTUAL lacks, or that cannot be read, is left as it is. Throws std::runtime_error where a file
+// cannot be written, or another process of ropesim is writing into EXPECTED.
 Accepted accept(const Comparison& comparison);
 
 }  // namespace ropesim

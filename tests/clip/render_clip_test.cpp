@@ -158,7 +158,7 @@ TEST_F(RenderClip, KeepsOthersOutOfItsFolder) {
         std::ignore = prepare_folder(scene, into(folder, scene));
         FAIL() << "a whole render, beside a shard";
     } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("another ropesim is writing frames there"));
+        EXPECT_THAT(error.what(), HasSubstr("another ropesim is writing there"));
     }
 }
 

@@ -161,15 +161,27 @@ TEST_F(CommandLine, RenderAndRepairReplaceWhatIsNoFrame) {
     EXPECT_EQ(run({"verify", "frames", "--repair"}).status, 1) << "a folder is left to its owner";
 }
 
-TEST_F(CommandLine, SweepKeepsOthersOutOfItsFolder) {
+TEST_F(CommandLine, KeepsOthersOutOfTheFolderThatItWritesInto) {
     write("small.toml", small_seed());
-    std::filesystem::create_directory(temporary.path() / "grid");
-    const std::vector<std::string> command = {"sweep", "small.toml", "--vary", "mass=1,2", "-o", "grid"};
+    run({"render", "small.toml", "-o", "golden", "--quiet"});
+    run({"render", "small.toml", "-g", "0", "-100", "-o", "frames", "--quiet"});
+    const std::vector<std::vector<std::string>> commands = {
+        {"sweep", "small.toml", "--vary", "mass=1,2", "-o", "golden"},
+        {"study", "stability", "small.toml", "--methods", "seed_verlet", "-o", "golden"},
+        {"study", "work-precision", "small.toml", "--methods", "seed_verlet", "-o", "golden"},
+        {"diff", "golden", "frames", "--accept"}};
+    const auto undisturbed = contents("golden");
     {
-        const FolderLock lock(temporary.path() / "grid", "");
-        EXPECT_THAT(run(command).err, HasSubstr("another ropesim is writing"));
+        const FolderLock lock(temporary.path() / "golden", "");
+        for (const auto& command : commands) {
+            const Outcome refused = run(command);
+            EXPECT_EQ(refused.status, 1) << command[0];
+            EXPECT_THAT(refused.err, HasSubstr("another ropesim is writing there"));
+        }
     }
-    EXPECT_EQ(run(command).status, 0);
+    EXPECT_EQ(contents("golden"), undisturbed);
+    EXPECT_EQ(run(commands.back()).status, 0) << "what differs is accepted";
+    EXPECT_NE(contents("golden"), undisturbed);
 }
 
 TEST_F(CommandLine, VerifyRepairsACompactClipCompactly) {

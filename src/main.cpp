@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -42,6 +43,19 @@ constexpr int wrong_usage = 2;
 int complain(const std::string& message) {
     std::fprintf(stderr, "ropesim: %s\n", ropesim::one_line(message).c_str());
     return 1;
+}
+
+// Memory can run out where an exception may not pass, such as inside std::filesystem's iterators.
+[[noreturn]] void end_where_none_may_pass() {
+    try {
+        if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        complain("out of memory");
+        std::_Exit(1);
+    } catch (const std::exception& error) {
+        complain(error.what());
+    }
+    std::abort();
 }
 
 bool is_global_option(const std::string& argument) {
@@ -129,6 +143,7 @@ int run(int count, char** values) {
 
 int main(int count, char** values) {
     ropesim::end_at_signals();
+    std::set_terminate(end_where_none_may_pass);
     try {
         const int status = run(count, values);
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -34,12 +34,13 @@ std::string methods_text(const Scene& scene) {
     return text;
 }
 
+// An object of JSON is never made by naming a key of none: where memory runs out in that, nlohmann's 3.11.2
+// leaves one that crashes when it goes.
 nlohmann::ordered_json rope_json(const Scene& scene, const Run& run) {
-    nlohmann::ordered_json rope;
-    rope["name"] = run.description->name;
-    rope["method"] = run.method->name;
-    rope["model"] = name(run.method->model);
-    rope["steps_per_frame"] = run.stepping.steps;
+    nlohmann::ordered_json rope{{"name", run.description->name},
+                                {"method", run.method->name},
+                                {"model", name(run.method->model)},
+                                {"steps_per_frame", run.stepping.steps}};
     const auto fewest =
         fewest_stable_steps(run.rope, *run.method, scene.frame_time, run.stepping.damping_factor);
     if (fewest) rope["fewest_stable_steps"] = *fewest;
@@ -57,12 +58,11 @@ double rounded(double pixels) {
 nlohmann::ordered_json error_json(const RopeError& error) {
     constexpr std::array<const char*, 3> bounds{"about", "more than", "less than"};
     const RopeError::Worst worst = error.worst();
-    nlohmann::ordered_json json;
-    json["estimated_by"] = error.description();
-    json["worst"] = bounds[static_cast<std::size_t>(worst.bound)];
-    json["worst_px"] = rounded(worst.pixels);
-    json["worst_frame"] = worst.frame;
-    json["last_px"] = nullptr;
+    nlohmann::ordered_json json{{"estimated_by", error.description()},
+                                {"worst", bounds[static_cast<std::size_t>(worst.bound)]},
+                                {"worst_px", rounded(worst.pixels)},
+                                {"worst_frame", worst.frame},
+                                {"last_px", nullptr}};
     if (const auto last = error.last()) json["last_px"] = rounded(*last);
     json["px"] = frame_errors_here;
     return json;
@@ -167,11 +167,10 @@ std::string clip_json(const Scene& scene, const Simulation& simulation, const Cl
                       const FrameList& frames, const std::string& renderer) {
     const bool simulated = options.positions_digest.empty();
     const std::string toml = to_toml(scene);
-    nlohmann::ordered_json json;
-    json["version"] = version();
-    json["renderer"] = renderer;
-    json["frames"] = to_string(frames);
-    json["digest"] = digest(toml);
+    nlohmann::ordered_json json{{"version", version()},
+                                {"renderer", renderer},
+                                {"frames", to_string(frames)},
+                                {"digest", digest(toml)}};
     if (options.compact) json["compact"] = true;
     if (!simulated) json["positions"] = options.positions_digest;
     json["ropes"] = nlohmann::ordered_json::array();

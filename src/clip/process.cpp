@@ -5,12 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -50,11 +50,12 @@ pid_t start(const std::vector<std::string>& command, const std::filesystem::path
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, standard_input, STDIN_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, standard_output, STDOUT_FILENO);
-    ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     pid_t process = 0;
-    const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+    int error = ::posix_spawn_file_actions_adddup2(&actions, standard_input, STDIN_FILENO);
+    if (error == 0) error = ::posix_spawn_file_actions_adddup2(&actions, standard_output, STDOUT_FILENO);
+    if (error == 0) error = ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    if (error == 0)
+        error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
     if (error != 0)
         throw std::runtime_error("cannot run " + command[0] + ": " + std::generic_category().message(error));
@@ -93,9 +94,11 @@ int wait_for(pid_t process) {
 
 bool is_installed(const std::string& program) {
     const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');)
+    for (std::string_view folders = path ? path : ""; !folders.empty();) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
         if (::access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
+    }
     return false;
 }
 

@@ -9,9 +9,9 @@
 #include <array>
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
-#include <stdexcept>
 
 namespace ropesim {
 
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> filtered(const Image& image, std::optional<Filter> fil
 std::vector<std::uint8_t> zlib_stream(std::span<const std::uint8_t> bytes) {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(strongest_level), libdeflate_free_compressor);
-    if (!compressor) throw std::runtime_error("libdeflate has no memory to compress a picture");
+    if (!compressor) throw std::bad_alloc();
     std::vector<std::uint8_t> stream(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
     stream.resize(
         libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), stream.data(), stream.size()));

@@ -6,7 +6,9 @@
 #include <png.h>
 #include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 namespace ropesim {
@@ -46,11 +48,12 @@ void check_size(std::span<const Chunk> chunks, std::string_view name) {
 class PngReader {
   public:
     PngReader(std::span<const std::uint8_t> bytes, std::string_view name) : bytes_(bytes), name_(name) {
-        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, keep_error, ignore_warning);
+        png_ = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, this, keep_error, ignore_warning, this,
+                                        take_memory, give_back);
         info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
         if (info_ == nullptr) {
             png_destroy_read_struct(&png_, nullptr, nullptr);
-            fail(name, "libpng has no memory to read it");
+            throw std::bad_alloc();
         }
     }
     PngReader(const PngReader&) = delete;
@@ -58,7 +61,7 @@ class PngReader {
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
     Image read(Color background) {
-        if (!begin()) fail(name_, problem());
+        if (!begin()) refuse();
         Image image{static_cast<int>(png_get_image_width(png_, info_)),
                     static_cast<int>(png_get_image_height(png_, info_)),
                     {}};
@@ -66,7 +69,7 @@ class PngReader {
         std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(image.height));
         std::vector<png_bytep> rows;
         for (std::size_t i = 0; i < pixels.size(); i += stride) rows.push_back(&pixels[i]);
-        if (!finish(rows.data())) fail(name_, problem());
+        if (!finish(rows.data())) refuse();
         image.rgb = png_get_channels(png_, info_) == 4 ? over(pixels, background) : std::move(pixels);
         return image;
     }
@@ -108,7 +111,18 @@ class PngReader {
         return rgb;
     }
 
-    std::string problem() const { return std::string("libpng: ") + error_.data() + ", expected a whole PNG"; }
+    [[noreturn]] void refuse() const {
+        if (out_of_memory_) throw std::bad_alloc();  // which says nothing of the file
+        fail(name_, std::string("libpng: ") + error_.data() + ", expected a whole PNG");
+    }
+
+    static png_voidp take_memory(png_structp png, png_alloc_size_t size) {
+        void* const memory = std::malloc(size);
+        if (!memory) static_cast<PngReader*>(png_get_mem_ptr(png))->out_of_memory_ = true;
+        return memory;
+    }
+
+    static void give_back(png_structp, png_voidp memory) { std::free(memory); }
 
     static void keep_error(png_structp png, png_const_charp message) {
         auto* reader = static_cast<PngReader*>(png_get_error_ptr(png));
@@ -128,6 +142,7 @@ class PngReader {
     std::span<const std::uint8_t> bytes_;  // not read yet
     std::string_view name_;
     std::array<char, 160> error_{};
+    bool out_of_memory_ = false;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
 };

@@ -5,6 +5,7 @@
 
 #include <zlib.h>
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 // The layout of the text chunks: Portable Network Graphics, 2nd edition, 2003, section 11.3.4.
@@ -43,7 +44,7 @@ std::vector<std::uint8_t> international_text(const std::string& keyword, const s
 class Unpacker {
   public:
     explicit Unpacker(Bytes stream) {
-        if (inflateInit(&state_) != Z_OK) throw std::runtime_error("zlib: no memory to unpack a text");
+        if (inflateInit(&state_) != Z_OK) throw std::bad_alloc();
         state_.next_in = const_cast<Bytef*>(stream.data());
         state_.avail_in = static_cast<uInt>(stream.size());
     }
@@ -59,6 +60,7 @@ class Unpacker {
         state_.avail_out = static_cast<uInt>(text.size() - before);
         const int status = inflate(&state_, Z_NO_FLUSH);
         text.resize(text.size() - state_.avail_out);
+        if (status == Z_MEM_ERROR) throw std::bad_alloc();
         return status;
     }
 

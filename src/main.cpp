@@ -1,5 +1,6 @@
 #include "clip/interrupt.h"
 #include "clip/manifest.h"
+#include "clip/want_of_memory.h"
 #include "commands/commands.h"
 #include "scene/words.h"
 
@@ -45,17 +46,12 @@ int complain(const std::string& message) {
     return 1;
 }
 
-// Memory can run out where an exception may not pass, such as inside std::filesystem's iterators.
+const std::terminate_handler default_end = std::get_terminate();
+
 [[noreturn]] void end_where_none_may_pass() {
-    try {
-        if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
-    } catch (const std::bad_alloc&) {
-        complain("out of memory");
-        std::_Exit(1);
-    } catch (const std::exception& error) {
-        complain(error.what());
-    }
-    std::abort();
+    if (!ropesim::is_want_of_memory(std::current_exception())) default_end();
+    complain(std::string(ropesim::want_of_memory));
+    std::_Exit(1);
 }
 
 bool is_global_option(const std::string& argument) {
@@ -150,7 +146,7 @@ int main(int count, char** values) {
             return complain("standard output: cannot write all of it");
         return status;
     } catch (const std::bad_alloc&) {
-        return complain("out of memory");
+        return complain(std::string(ropesim::want_of_memory));
     } catch (const std::exception& error) {
         return complain(error.what());
     }

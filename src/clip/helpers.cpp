@@ -1,6 +1,7 @@
 #include "clip/helpers.h"
 
 #include "clip/interrupt.h"
+#include "clip/want_of_memory.h"
 #include "scene/words.h"
 
 #include <poll.h>
@@ -15,11 +16,14 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -116,21 +120,33 @@ void draw_what_comes(int socket, const DrawFrame& draw) {
     }
 }
 
+int own_socket = -1;  // a helper's
+
+[[noreturn]] void end_with(std::string_view failure) {
+    ::send(own_socket, failure.data(), failure.size(), MSG_NOSIGNAL);
+    ::_exit(1);
+}
+
+[[noreturn]] void end_where_none_may_pass() {
+    if (is_want_of_memory(std::current_exception())) end_with(want_of_memory);
+    std::abort();
+}
+
 // The whole life of a helper.
-[[noreturn]] void help(int socket, const DrawFrame& draw) {
+[[noreturn]] void help(int socket, const DrawFrame& draw) noexcept {
+    own_socket = socket;
+    std::set_terminate(end_where_none_may_pass);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody works on when the parent was killed
-    std::string failure;
     try {
         draw_what_comes(socket, draw);
     } catch (const Interrupted& interrupted) {
         ::_exit(128 + interrupted.signal);
     } catch (const std::bad_alloc&) {
-        failure = "out of memory";
+        end_with(want_of_memory);
     } catch (const std::exception& error) {
-        failure = one_line(error.what());
+        end_with(one_line(error.what()));
     }
-    ::send(socket, failure.data(), failure.size(), MSG_NOSIGNAL);
-    ::_exit(failure.empty() ? 0 : 1);
+    ::_exit(0);
 }
 
 // What a helper has sent by now; nothing where it has ended.

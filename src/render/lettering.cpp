@@ -7,6 +7,7 @@
 #include FT_FREETYPE_H
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -17,6 +18,7 @@ constexpr char32_t ellipsis = U'\u2026';
 constexpr FT_Int32 unhinted = FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP;
 
 void check(FT_Error error) {
+    if (FT_ERROR_BASE(error) == FT_Err_Out_Of_Memory) throw std::bad_alloc();
     if (error) throw std::runtime_error("FreeType cannot set words: error " + std::to_string(error));
 }
 

@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 #include <csignal>
+#include <functional>
+#include <new>
 #include <stdexcept>
 
 namespace ropesim {
@@ -65,11 +67,11 @@ TEST_F(HelpersTest, DrawAllThoughAllHelpersWereKilled) {
 }
 
 TEST_F(HelpersTest, FailWithTheReasonOfOneThatFailed) {
+    testing::internal::CaptureStderr();
     Helpers helpers(2,
                     [&](long, const std::vector<Points>&) { throw std::runtime_error("the disk is full"); });
     const std::vector<Points> positions{Points::Zero(1, 2)};
     EXPECT_TRUE(helpers.take(0, positions, 2));
-    testing::internal::CaptureStderr();
     EXPECT_THAT([&] { helpers.finish(); }, ThrowsMessage<std::runtime_error>("the disk is full"));
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it is said once, by who asked";
 }
@@ -85,6 +87,16 @@ TEST_F(HelpersTest, FailWithTheReasonOfOneThatFailedLater) {
     };
     EXPECT_THAT(draw_until_it_fails, ThrowsMessage<std::runtime_error>("out of memory"));
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4));
+}
+
+TEST_F(HelpersTest, FailForWantOfMemoryWhereNoExceptionMayPass) {
+    testing::internal::CaptureStderr();
+    const std::function<void()> fail = [] { throw std::bad_alloc(); };
+    const auto fail_without_passing_it_on = [&]() noexcept { fail(); };
+    Helpers helpers(1, [&](long, const std::vector<Points>&) { fail_without_passing_it_on(); });
+    EXPECT_TRUE(helpers.take(0, {Points::Zero(1, 2)}, 1));
+    EXPECT_THAT([&] { helpers.finish(); }, ThrowsMessage<std::runtime_error>("out of memory"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

@@ -63,10 +63,9 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& c
          waited += between_tries) {
         if (waited >= patience) {
             ::close(descriptor_);
-            throw std::runtime_error(
-                folder.string() +
-                ": another ropesim is writing there, and only shards of one clip share a "
-                "folder; wait for it, or name another folder");
+            throw std::runtime_error(folder.string() + ": another ropesim is writing there" +
+                                     (clip_digest.empty() ? "" : ", and no shard of the same clip") +
+                                     "; wait until it has ended, or name another folder");
         }
         std::this_thread::sleep_for(between_tries);
     }

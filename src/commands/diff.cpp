@@ -1,4 +1,5 @@
 #include "clip/file.h"
+#include "clip/folder_lock.h"
 #include "commands/commands.h"
 #include "diff/accept.h"
 #include "diff/cause.h"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace ropesim {
 namespace {
@@ -67,7 +69,15 @@ int accept_all(const Comparison& comparison) {
     return accepted.left.empty() ? 0 : status(comparison);
 }
 
+// Where a path's files are.
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path)) return path;
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
 int diff(const DiffOptions& options) {
+    std::optional<FolderLock> lock;  // before the look at what will be replaced
+    if (options.accept) lock.emplace(folder_of(options.expected), "");
     Comparison comparison = compare(options.expected, options.actual, options.tolerance);
     const Cause why = cause(comparison);
     excuse_chaos(why, comparison);

@@ -56,8 +56,7 @@ Scene opened(const StudyOptions& options) {
     return scene;
 }
 
-// Others are kept out while the lock lives: the files have the same names, and two studies at a time would
-// spoil each other's times.
+// Others are kept out while the lock lives.
 [[nodiscard]] FolderLock made_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directory(folder, error);

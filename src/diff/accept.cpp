@@ -1,12 +1,10 @@
 #include "diff/accept.h"
 
 #include "clip/file.h"
-#include "clip/folder_lock.h"
 #include "diff/summary.h"
 #include "image/png.h"
 #include "scene/words.h"
 
-#include <optional>
 #include <stdexcept>
 
 namespace ropesim {
@@ -40,8 +38,6 @@ void accept_frame(const Comparison& comparison, const FrameComparison& frame, Ac
 }  // namespace
 
 Accepted accept(const Comparison& comparison) {
-    std::optional<FolderLock> lock;
-    if (comparison.folders) lock.emplace(comparison.expected, "");
     Accepted accepted;
     for (const FrameComparison* frame : failures(comparison)) accept_frame(comparison, *frame, accepted);
     return accepted;

@@ -13,8 +13,7 @@ struct Accepted {
 };
 
 // Makes ACTUAL the expected: copies every frame that differs, is new or of another size over EXPECTED's. A
-// frame that ACTUAL lacks, or that cannot be read, is left as it is. Throws std::runtime_error where a file
-// cannot be written, or another process of ropesim is writing into EXPECTED.
+// frame that ACTUAL lacks, or that cannot be read, is left as it is. Throws where a file cannot be written.
 Accepted accept(const Comparison& comparison);
 
 }  // namespace ropesim

@@ -24,6 +24,7 @@ void end(int signal) {
 void end_at_signals() {
     std::signal(SIGINT, end);
     std::signal(SIGTERM, end);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 Interrupts::Interrupts() {

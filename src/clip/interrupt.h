@@ -10,6 +10,7 @@ struct Interrupted {
 };
 
 // From here on SIGINT and SIGTERM end the process with a line on stderr and exit status 128 + signal.
+// A write beyond the limit on a file's size (ulimit -f) fails, as one to a full disk does.
 void end_at_signals();
 
 // While it lives, SIGINT and SIGTERM are noted instead of ending the process at once.

@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <cstdint>
@@ -63,11 +64,13 @@ bool set_up_process() {
     return true;
 }
 
-// What would help. The loader says of a library that memory has no room for that it is not mapped, and no
-// more.
-std::string advice(const std::string& failures, const std::string& packages) {
-    if (failures.find("failed to map segment") != std::string::npos)
-        return "it needs 250 MB of memory; see ulimit -v, or the limit of the container";
+// What would help. The loader does not say so where it is memory that it lacks.
+std::string advice(const std::string& packages) {
+    constexpr rlim_t needed = 300 << 20;
+    rlimit addresses{};
+    if (::getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur < needed)
+        return "it needs 300 MB of memory, and ulimit -v allows " + std::to_string(addresses.rlim_cur >> 20) +
+               " MB";
     return "install the Debian package " + packages;
 }
 
@@ -88,8 +91,7 @@ std::unique_ptr<OffscreenContext> make_context() {
             append(packages, ", or ", way.packages);
         }
     }
-    throw std::runtime_error("no OpenGL 3.3 context could be made (" + failures + "); " +
-                             advice(failures, packages));
+    throw std::runtime_error("no OpenGL 3.3 context could be made (" + failures + "); " + advice(packages));
 }
 
 }  // namespace ropesim

@@ -2,8 +2,10 @@
 
 #include "image/tiles.h"
 
+#include <sys/mman.h>
 #include <algorithm>
 #include <array>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -44,10 +46,22 @@ GLuint bound_framebuffer(const Gl& gl, int width, int height) {
     return framebuffer;
 }
 
+// The driver crashes where memory runs out as it draws. It takes the picture, and tens of megabytes for its
+// code and its lists, whatever the size: whether that much is there is asked before.
+void check_memory(int width, int height) {
+    constexpr std::size_t drivers = 40 << 20;
+    const std::size_t bytes =
+        drivers + 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    void* const room = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) throw std::bad_alloc();
+    ::munmap(room, bytes);
+}
+
 }  // namespace
 
 Framebuffer::Framebuffer(const Gl& gl, int width, int height) : gl_(gl) {
     check_size(gl, width, height);
+    check_memory(width, height);
     empty_ = bound_framebuffer(gl, width, std::min(height, tile_side));
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT);

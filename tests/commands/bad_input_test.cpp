@@ -132,7 +132,8 @@ TEST_F(BadInput, AsARopesName) {
 }
 
 TEST_F(BadInput, AsAScene) {
-    for (const char* number : {"nan", "inf", "-inf", "1e308", "1e400", "-1e16", "true", "\"1\"", "[]", "{}"})
+    for (const char* number :
+         {"nan", "inf", "-inf", "1e308", "1e400", "1e-400", "-1e16", "true", "\"1\"", "[]", "{}"})
         for (const char* key : {"mass", "stiffness", "rest_length", "nodes", "damping", "line_width",
                                 "point_size", "sweeps", "damping_factor", "steps_per_frame"})
             expect_scene_refused(rope + key + " = " + number + "\n");

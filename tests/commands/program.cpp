@@ -11,7 +11,7 @@ namespace ropesim {
 namespace {
 
 pid_t start(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
-            const std::string& out, const std::string& err) {
+            const std::string& out, const std::string& err, rlim_t addresses = RLIM_INFINITY) {
     const pid_t process = ::fork();
     if (process != 0) return process;
     std::vector<char*> values{const_cast<char*>("ropesim")};
@@ -20,6 +20,8 @@ pid_t start(const std::filesystem::path& folder, const std::vector<std::string>&
     ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
     ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
     ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+    const rlimit limit{addresses, addresses};
+    if (addresses != RLIM_INFINITY) ::setrlimit(RLIMIT_AS, &limit);
     if (::chdir(folder.c_str()) == 0) ::execv(ROPESIM_PROGRAM, values.data());
     ::_exit(127);
 }
@@ -31,11 +33,12 @@ std::string text_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                rlim_t addresses) {
     const TemporaryFolder output;
     const std::string out = output.path() / "out";
     const std::string err = output.path() / "err";
-    const int status = wait_for(start(folder, arguments, out, err));
+    const int status = wait_for(start(folder, arguments, out, err, addresses));
     return {status, text_of(out), text_of(err)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 #include <filesystem>
 #include <string>
@@ -14,8 +15,9 @@ struct Outcome {
     std::string err;
 };
 
-// Runs the program with these arguments in the folder.
-Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+// Runs the program with these arguments in the folder, and with at most so many bytes of addresses.
+Outcome ropesim(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                rlim_t addresses = RLIM_INFINITY);
 
 // The same with a standard output that can hold nothing, as on a full disk.
 Outcome ropesim_with_full_output(const std::filesystem::path& folder,

@@ -1,5 +1,6 @@
 #include "clip/file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -106,15 +108,27 @@ struct Temporary {
 std::vector<Temporary> temporaries(const std::filesystem::path& folder) {
     const std::string prefix = temporary_prefix();
     std::vector<Temporary> found;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : names_in(folder))
         if (name.starts_with(temporary_begin) && name.ends_with(temporary_suffix))
-            found.push_back({entry.path(), process_of(name, prefix)});
-    }
+            found.push_back({folder / name, process_of(name, prefix)});
     return found;
 }
 
 }  // namespace
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+    const std::unique_ptr<DIR, int (*)(DIR*)> open_folder(::opendir(folder.c_str()), ::closedir);
+    if (!open_folder) fail(folder, "cannot read the folder");
+    std::vector<std::string> names;
+    for (;;) {
+        errno = 0;
+        const dirent* const entry = ::readdir(open_folder.get());  // NOLINT(concurrency-mt-unsafe): our own
+        if (!entry && errno != 0) fail(folder, "cannot read the folder");
+        if (!entry) return names;
+        const std::string name(static_cast<const char*>(entry->d_name));
+        if (name != "." && name != "..") names.push_back(name);
+    }
+}
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));

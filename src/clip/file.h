@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -71,6 +72,10 @@ void sync_folder(const std::filesystem::path& folder);
 // The temporary files in the folder that no process of this machine is writing: killed ones left them, or
 // they are of another machine.
 std::vector<std::filesystem::path> stray_temporaries(const std::filesystem::path& folder);
+
+// Names of what a folder holds, in no order. (Where memory runs out, libstdc++'s iterator of folders ends the
+// program.) Throws std::runtime_error where it cannot be read.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
 
 // Deletes temporary files that killed processes of this machine left in the folder.
 void remove_stale_temporaries(const std::filesystem::path& folder);

@@ -1,5 +1,6 @@
 #include "clip/frames.h"
 
+#include "clip/file.h"
 #include "scene/words.h"
 
 #include <algorithm>
@@ -133,8 +134,7 @@ std::string frame_name(long frame, long frames) {
 
 FrameList frames_in(const std::filesystem::path& folder) {
     std::vector<long> frames;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : names_in(folder)) {
         std::string_view number = name;
         if (!number.starts_with(frame_prefix) || !number.ends_with(frame_suffix)) continue;
         number.remove_prefix(frame_prefix.size());

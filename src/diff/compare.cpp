@@ -70,9 +70,10 @@ long number_in(const std::string& name) {
 Names pictures_in(const std::filesystem::path& folder) {
     Names names;
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().extension() == ".png" && !entry.is_directory(ignored))
-            names.insert(entry.path().filename().string());
+    for (const std::string& name : names_in(folder))
+        if (std::filesystem::path(name).extension() == ".png" &&
+            !std::filesystem::is_directory(folder / name, ignored))
+            names.insert(name);
     return names;
 }
 

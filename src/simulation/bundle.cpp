@@ -26,6 +26,7 @@ void Bundle::resize(Eigen::Index masses, Eigen::Index ropes, int field_count) {
     ropes_ = ropes;
     field_count_ = field_count;
     pitch_ = lines * line;
+    static_assert(short_pitch == (page + 4) * line);
     storage_.resize(static_cast<std::size_t>(lines * field_count));
 }
 
@@ -54,8 +55,9 @@ void Bundle::take(State& state, Eigen::Index r, double unit) const {
     const Bundle& bundle = *this;
     state.position.col(0) = column(bundle[x], r, masses_, ropes_);
     state.position.col(1) = column(bundle[y], r, masses_, ropes_);
-    state.velocity.col(0) = column(bundle[vx], r, masses_, ropes_) / unit;
-    state.velocity.col(1) = column(bundle[vy], r, masses_, ropes_) / unit;
+    state.velocity.col(0) = column(bundle[vx], r, masses_, ropes_);
+    state.velocity.col(1) = column(bundle[vy], r, masses_, ropes_);
+    if (unit != 1.0) state.velocity /= unit;  // the usual unit costs no divisions
 }
 
 }  // namespace ropesim

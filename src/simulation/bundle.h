@@ -16,12 +16,14 @@ class Bundle {
     // more.
     enum Field { weight, fall_x, fall_y, x, y, vx, vy, fields };
     static constexpr int most_ropes = 8;
+    static constexpr Eigen::Index short_pitch = 544;  // elements from one field of a short bundle to the next
 
     void resize(Eigen::Index masses, Eigen::Index ropes, int field_count = fields);
 
     Eigen::Index masses() const { return masses_; }
     Eigen::Index ropes() const { return ropes_; }
     int field_count() const { return field_count_; }
+    bool is_short() const { return pitch_ == short_pitch; }
     double* operator[](int field) { return storage_.data()->elements + field * pitch_; }
     const double* operator[](int field) const { return storage_.data()->elements + field * pitch_; }
 

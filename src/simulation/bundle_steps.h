@@ -104,47 +104,120 @@ using ForcesBefore = std::array<double, std::size_t{2} * Bundle::most_ropes>;
 // since a processor reads what it has not yet written out only as it was stored.
 enum class Layout { side_by_side, one_rope, few_masses };
 
-// Calls move(i, a) with the accelerations of the masses from element i, for every vector from `begin` to
-// `end`, multiples of the width. `move` may move them: the links after them have been measured by then. While
-// a vector moves, the division for the next and the square root for the one after that are under way; one
-// after the other, they take longer than a processor sees ahead.
+// The fields of a short bundle: a constant apart, so that one register says where all of them are.
+class ShortFields {
+  public:
+    explicit ShortFields(Bundle& bundle) : first_(bundle[0]) {}
+    double* operator[](int field) const { return first_ + field * Bundle::short_pitch; }
+
+  private:
+    double* first_;
+};
+
+// The accelerations of the masses of a bundle, one vector after the other. While a vector moves, the division
+// for the next and the square root for the one after that are under way (software pipelining; Lam: Software
+// Pipelining, PLDI 1988); one after the other, they take longer than a processor sees ahead.
+template <int width, Layout layout>
+class Pipeline {
+  public:
+    // From element `begin` on, of masses that are where fields `place` and `place` + 1 say.
+    template <class Fields>
+    Pipeline(const Bundle& bundle, const Fields& fields, int place, Eigen::Index begin)
+        : spring_(bundle),
+          links_((bundle.masses() - 1) * next),
+          x_(fields[place]),
+          y_(fields[place + 1]),
+          weight_(fields[Bundle::weight]),
+          fall_x_(fields[Bundle::fall_x]),
+          fall_y_(fields[Bundle::fall_y]),
+          link_(link_from(begin)),
+          pull_(pull_lanes(spring_, link_)),
+          link_after_(link_from(begin + width)) {}
+
+    // Calls move(i, a) with the accelerations of the masses from element i, which is the next. `move` may
+    // move them: the links after them have been measured by then. Begins with the link from element `third`.
+    template <class Move>
+    void advance(Eigen::Index i, Eigen::Index third, const Move& move) {
+        const LinkLanes<width> third_link = link_from(third);
+        const Lanes<width> pull_after = pull_lanes(spring_, link_after_);
+        const VectorLanes<width> force = force_lanes<width>(pull_, link_.d, links_ - i);
+        const VectorLanes<width> before = side_by_side ? force_before : shifted_up(force_before, force);
+        move(i, acceleration_lanes<width>(load<width>(weight_ + i), force, before,
+                                          load<width>(fall_x_ + i, fall_y_ + i)));
+        force_before = force;
+        link_ = link_after_;
+        pull_ = pull_after;
+        link_after_ = third_link;
+    }
+
+    VectorLanes<width> force_before;  // of the links before those of the next vector
+
+  private:
+    static constexpr bool side_by_side = layout == Layout::side_by_side;
+    static constexpr Eigen::Index next = side_by_side ? width : 1;
+
+    LinkLanes<width> link_from(Eigen::Index i) const {
+        const auto from = load<width>(x_ + i, y_ + i);
+        if constexpr (layout == Layout::few_masses)
+            return link_lanes(from, shifted_down(from, load<width>(x_ + i + width, y_ + i + width)));
+        else
+            return link_lanes(from, load<width>(x_ + i + next, y_ + i + next));
+    }
+
+    SpringLanes<width> spring_;
+    Eigen::Index links_;
+    const double* x_;
+    const double* y_;
+    const double* weight_;
+    const double* fall_x_;
+    const double* fall_y_;
+    LinkLanes<width> link_;
+    Lanes<width> pull_;
+    LinkLanes<width> link_after_;
+};
+
+// Calls move(i, a), as the pipeline does, for every vector from `begin` to `end`, multiples of the width.
 template <int width, Layout layout, class Move>
 void accelerate(const Bundle& bundle, int place, Eigen::Index begin, Eigen::Index end, ForcesBefore& before,
                 const Move& move) {
-    constexpr bool side_by_side = layout == Layout::side_by_side;
-    constexpr Eigen::Index next = side_by_side ? width : 1;
-    const Eigen::Index links = (bundle.masses() - 1) * next;
-    const double* const x = bundle[place];
-    const double* const y = bundle[place + 1];
-    const SpringLanes<width> spring(bundle);
-    const double* const weight = bundle[Bundle::weight];
-    const double* const fall_x = bundle[Bundle::fall_x];
-    const double* const fall_y = bundle[Bundle::fall_y];
-    const auto link_from = [=](Eigen::Index i) {
-        const auto from = load<width>(x + i, y + i);
-        if constexpr (layout == Layout::few_masses)
-            return link_lanes(from, shifted_down(from, load<width>(x + i + width, y + i + width)));
-        else
-            return link_lanes(from, load<width>(x + i + next, y + i + next));
-    };
-    VectorLanes<width> last;
-    if (begin > 0) last = load<width>(before.data(), before.data() + width);
-    LinkLanes<width> link = link_from(begin);
-    Lanes<width> pull = pull_lanes(spring, link);
-    LinkLanes<width> link_after = link_from(begin + width);
-    for (Eigen::Index i = begin; i < end; i += width) {
-        const LinkLanes<width> second_link_after = link_from(i + 2L * width);
-        const Lanes<width> pull_after = pull_lanes(spring, link_after);
-        const VectorLanes<width> force = force_lanes<width>(pull, link.d, links - i);
-        const VectorLanes<width> force_before = side_by_side ? last : shifted_up(last, force);
-        move(i, acceleration_lanes<width>(load<width>(weight + i), force, force_before,
-                                          load<width>(fall_x + i, fall_y + i)));
-        last = force;
-        link = link_after;
-        pull = pull_after;
-        link_after = second_link_after;
+    Pipeline<width, layout> pipeline(bundle, bundle, place, begin);
+    if (begin > 0) pipeline.force_before = load<width>(before.data(), before.data() + width);
+    for (Eigen::Index i = begin; i < end; i += width) pipeline.advance(i, i + 2L * width, move);
+    store(before.data(), before.data() + width, pipeline.force_before);
+}
+
+// Elements of a bundle in whole vectors.
+template <int width>
+Eigen::Index whole_vectors(const Bundle& bundle) {
+    return (bundle.masses() * bundle.ropes() + width - 1) / width * width;
+}
+
+// Whether a loop over a bundle may begin while the one before it ends. The masses that it begins with have
+// moved by then where there are four vectors. Of fewer than six of one rope, a link would wait for what has
+// just been stored otherwise than it is read.
+template <int width, Layout layout>
+bool goes_round(const Bundle& bundle) {
+    constexpr Eigen::Index fewest = layout == Layout::side_by_side ? 4 : 6;
+    return bundle.is_short() && whole_vectors<width>(bundle) >= fewest * width;
+}
+
+// A loop over all masses of a bundle that goes round: what is under way as it ends is for the next one. Links
+// are measured `here` elements from the places of the pipeline, in the next loop `next` elements from them.
+template <int width, Layout layout, class Move>
+void go_round(Pipeline<width, layout>& pipeline, Eigen::Index end, const Move& move, Eigen::Index here = 0,
+              Eigen::Index next = 0) {
+    constexpr Eigen::Index ahead = 2L * width;
+    pipeline.force_before = {};
+    if constexpr (layout == Layout::side_by_side) {  // faster by up to a tenth; of one rope it is not
+        for (Eigen::Index i = 0; i < end - ahead; i += width) pipeline.advance(i, i + ahead + here, move);
+        pipeline.advance(end - ahead, next, move);
+        pipeline.advance(end - width, width + next, move);
+    } else {
+        for (Eigen::Index i = 0; i < end; i += width) {
+            const Eigen::Index third = i + ahead;
+            pipeline.advance(i, third < end ? third + here : third - end + next, move);
+        }
     }
-    store(before.data(), before.data() + width, last);
 }
 
 // Goes through `stages` loops over a bundle, stage(j, begin, end, before) each a part of loop j, which may be
@@ -156,7 +229,7 @@ void in_blocks(const Bundle& bundle, long stages, const Stage& stage) {
     constexpr Eigen::Index cache = 3584;  // doubles, 28 KB; half or double of it is slower by a twentieth
     constexpr long most_at_once = 64;
     const Eigen::Index block = cache / bundle.field_count() / width * width;
-    const Eigen::Index elements = (bundle.masses() * bundle.ropes() + width - 1) / width * width;
+    const Eigen::Index elements = whole_vectors<width>(bundle);
     std::array<ForcesBefore, most_at_once> before;
     for (long first = 0; first < stages; first += most_at_once) {
         const long count = std::min(most_at_once, stages - first);

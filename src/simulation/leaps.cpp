@@ -147,17 +147,17 @@ void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses
 // Fields of a bundle that compensated sums need behind the others: what is lost of x, y, vx and vy.
 constexpr int lost_fields = 4;
 
-// A loop over a part of the masses.
-template <int width, Layout layout, Sums sums, Moves moves>
-void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-    double* const x = bundle[Bundle::x];
-    double* const y = bundle[Bundle::y];
-    double* const vx = bundle[Bundle::vx];
-    double* const vy = bundle[Bundle::vy];
+// What moves masses of a bundle, from element i, by a stage.
+template <int width, Sums sums, Moves moves, class Fields>
+auto mover(const Stage& stage, Fields& fields) {
+    double* const x = fields[Bundle::x];
+    double* const y = fields[Bundle::y];
+    double* const vx = fields[Bundle::vx];
+    double* const vy = fields[Bundle::vy];
     std::array<double*, lost_fields> lost{};
     if constexpr (sums == Sums::compensated)
-        for (std::size_t i = 0; i < lost_fields; ++i) lost[i] = bundle[Bundle::fields + static_cast<int>(i)];
-    const auto leap_at = [=, &stage](Eigen::Index i, const VectorLanes<width>& a) {
+        for (std::size_t i = 0; i < lost_fields; ++i) lost[i] = fields[Bundle::fields + static_cast<int>(i)];
+    return [=, &stage](Eigen::Index i, const VectorLanes<width>& a) {
         Moving<width> masses{load<width>(x + i, y + i), load<width>(vx + i, vy + i), {}};
         if constexpr (sums == Sums::compensated)
             masses.lost = {load<width>(lost[0] + i, lost[1] + i), load<width>(lost[2] + i, lost[3] + i)};
@@ -169,10 +169,16 @@ void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index e
             store(lost[2] + i, lost[3] + i, masses.lost.v);
         }
     };
+}
+
+// A loop over a part of the masses.
+template <int width, Layout layout, Sums sums, Moves moves>
+void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
+    const auto move_at = mover<width, sums, moves>(stage, bundle);
     if (moves != Moves::any || stage.first.kick != 0.0)
-        accelerate<width, layout>(bundle, Bundle::x, begin, end, before, leap_at);
+        accelerate<width, layout>(bundle, Bundle::x, begin, end, before, move_at);
     else
-        for (Eigen::Index i = begin; i < end; i += width) leap_at(i, {});
+        for (Eigen::Index i = begin; i < end; i += width) move_at(i, {});
 }
 
 template <int width, Layout layout, Sums sums>
@@ -189,6 +195,47 @@ void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
                     return pass<width, layout, sums, Moves::any>(now, bundle, begin, end, before);
             }
         });
+}
+
+// Loops from the one of stage j on, as long as they do the same; returns the first that does not.
+template <int width, Layout layout, Sums sums, Moves moves>
+long leap_round_from(long j, const Leaps& leaps, Bundle& bundle) {
+    const ShortFields fields(bundle);
+    const Eigen::Index end = whole_vectors<width>(bundle);
+    Pipeline<width, layout> pipeline(bundle, fields, Bundle::x, 0);
+    for (const long all = stages(leaps); j < all; ++j) {
+        const Stage now = stage(leaps, j);
+        if (moves_of(now) != moves) break;
+        go_round(pipeline, end, mover<width, sums, moves>(now, fields));
+    }
+    return j;
+}
+
+template <int width, Layout layout, Sums sums>
+void leap_round(const Leaps& leaps, Bundle& bundle) {
+    ForcesBefore before;
+    for (long j = 0; j < stages(leaps);) {
+        const Stage now = stage(leaps, j);
+        switch (moves_of(now)) {
+            case Moves::kick_drift:
+                j = leap_round_from<width, layout, sums, Moves::kick_drift>(j, leaps, bundle);
+                break;
+            case Moves::kick_kick_drift:
+                j = leap_round_from<width, layout, sums, Moves::kick_kick_drift>(j, leaps, bundle);
+                break;
+            case Moves::any:
+                pass<width, layout, sums, Moves::any>(now, bundle, 0, whole_vectors<width>(bundle), before);
+                ++j;
+        }
+    }
+}
+
+template <int width, Layout layout, Sums sums>
+void leap_in_loops(const Leaps& leaps, Bundle& bundle) {
+    if (goes_round<width, layout>(bundle))
+        leap_round<width, layout, sums>(leaps, bundle);
+    else
+        leap_through_memory<width, layout, sums>(leaps, bundle);
 }
 
 // A rope of that many vectors stays in registers through all leaps.
@@ -228,10 +275,10 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
 
 template <int width, Sums sums>
 void leap_in_lanes(const Leaps& leaps, Bundle& bundle) {
-    if (bundle.ropes() > 1) return leap_through_memory<width, Layout::side_by_side, sums>(leaps, bundle);
+    if (bundle.ropes() > 1) return leap_in_loops<width, Layout::side_by_side, sums>(leaps, bundle);
     if (bundle.masses() <= width) return leap_in_registers<width, 1, sums>(leaps, bundle);
     if (bundle.masses() <= 2L * width) return leap_in_registers<width, 2, sums>(leaps, bundle);
-    leap_through_memory<width, Layout::one_rope, sums>(leaps, bundle);
+    leap_in_loops<width, Layout::one_rope, sums>(leaps, bundle);
 }
 
 template <Sums sums>

@@ -63,26 +63,35 @@ void finish_stage(const Step& step, const L& undamped_a, const Coordinate& at, E
     }
 }
 
-template <int width, Layout layout, std::size_t s>
-void take_stage(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Index end,
-                ForcesBefore& before) {
+// What takes stage s of a step for the masses from element i.
+template <std::size_t s, int width, class Fields>
+auto taker(const Step& step, Fields& fields) {
     const auto coordinate = [&](int axis) {
-        const auto stage_a = [&](int stage) { return bundle[stage_acceleration + 2 * stage + axis]; };
-        return Coordinate{bundle[Bundle::x + axis],
-                          bundle[Bundle::vx + axis],
-                          bundle[stage_place + axis],
+        const auto stage_a = [&](int stage) { return fields[stage_acceleration + 2 * stage + axis]; };
+        return Coordinate{fields[Bundle::x + axis],
+                          fields[Bundle::vx + axis],
+                          fields[stage_place + axis],
                           {stage_a(0), stage_a(1), stage_a(2)}};
     };
-    const auto take = [step, x = coordinate(0), y = coordinate(1)](Eigen::Index i,
-                                                                   const VectorLanes<width>& a) {
+    return [step, x = coordinate(0), y = coordinate(1)](Eigen::Index i, const VectorLanes<width>& a) {
         finish_stage<s>(step, a.x, x, i);
         finish_stage<s>(step, a.y, y, i);
     };
-    accelerate<width, layout>(bundle, s == 0 ? int(Bundle::x) : int(stage_place), begin, end, before, take);
+}
+
+// Where the masses are at stage s.
+constexpr int place(std::size_t s) {
+    return s == 0 ? int(Bundle::x) : int(stage_place);
+}
+
+template <int width, Layout layout, std::size_t s>
+void take_stage(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Index end,
+                ForcesBefore& before) {
+    accelerate<width, layout>(bundle, place(s), begin, end, before, taker<s, width>(step, bundle));
 }
 
 template <int width, Layout layout>
-void take_steps(const Step& step, long steps, Bundle& bundle) {
+void take_steps_in_blocks(const Step& step, long steps, Bundle& bundle) {
     in_blocks<width>(bundle, 4 * steps,
                      [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
                          switch (j % 4) {
@@ -96,6 +105,28 @@ void take_steps(const Step& step, long steps, Bundle& bundle) {
                                  return take_stage<width, layout, 3>(step, bundle, begin, end, before);
                          }
                      });
+}
+
+template <int width, Layout layout>
+void take_steps_round(const Step& step, long steps, Bundle& bundle) {
+    constexpr Eigen::Index stages_apart = (place(1) - place(0)) * Bundle::short_pitch;
+    const ShortFields fields(bundle);
+    const Eigen::Index end = whole_vectors<width>(bundle);
+    Pipeline<width, layout> pipeline(bundle, fields, place(0), 0);
+    for (long j = 0; j < steps; ++j) {
+        go_round(pipeline, end, taker<0, width>(step, fields), 0, stages_apart);
+        go_round(pipeline, end, taker<1, width>(step, fields), stages_apart, stages_apart);
+        go_round(pipeline, end, taker<2, width>(step, fields), stages_apart, stages_apart);
+        go_round(pipeline, end, taker<3, width>(step, fields), stages_apart, 0);
+    }
+}
+
+template <int width, Layout layout>
+void take_steps(const Step& step, long steps, Bundle& bundle) {
+    if (goes_round<width, layout>(bundle))
+        take_steps_round<width, layout>(step, steps, bundle);
+    else
+        take_steps_in_blocks<width, layout>(step, steps, bundle);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 namespace ropesim {
 namespace {
@@ -181,20 +182,28 @@ void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index e
         for (Eigen::Index i = begin; i < end; i += width) move_at(i, {});
 }
 
+// Calls task(moves), the moves a constant.
+template <class Task>
+void with_moves(Moves moves, const Task& task) {
+    switch (moves) {
+        case Moves::kick_drift:
+            return task(std::integral_constant<Moves, Moves::kick_drift>());
+        case Moves::kick_kick_drift:
+            return task(std::integral_constant<Moves, Moves::kick_kick_drift>());
+        case Moves::any:
+            return task(std::integral_constant<Moves, Moves::any>());
+    }
+}
+
 template <int width, Layout layout, Sums sums>
 void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
-    in_blocks<width>(
-        bundle, stages(leaps), [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-            const Stage now = stage(leaps, j);
-            switch (moves_of(now)) {
-                case Moves::kick_drift:
-                    return pass<width, layout, sums, Moves::kick_drift>(now, bundle, begin, end, before);
-                case Moves::kick_kick_drift:
-                    return pass<width, layout, sums, Moves::kick_kick_drift>(now, bundle, begin, end, before);
-                case Moves::any:
-                    return pass<width, layout, sums, Moves::any>(now, bundle, begin, end, before);
-            }
-        });
+    in_blocks<width>(bundle, stages(leaps),
+                     [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
+                         const Stage now = stage(leaps, j);
+                         with_moves(moves_of(now), [&](auto moves) {
+                             pass<width, layout, sums, moves>(now, bundle, begin, end, before);
+                         });
+                     });
 }
 
 // Loops from the one of stage j on, as long as they do the same; returns the first that does not.
@@ -216,17 +225,14 @@ void leap_round(const Leaps& leaps, Bundle& bundle) {
     ForcesBefore before;
     for (long j = 0; j < stages(leaps);) {
         const Stage now = stage(leaps, j);
-        switch (moves_of(now)) {
-            case Moves::kick_drift:
-                j = leap_round_from<width, layout, sums, Moves::kick_drift>(j, leaps, bundle);
-                break;
-            case Moves::kick_kick_drift:
-                j = leap_round_from<width, layout, sums, Moves::kick_kick_drift>(j, leaps, bundle);
-                break;
-            case Moves::any:
-                pass<width, layout, sums, Moves::any>(now, bundle, 0, whole_vectors<width>(bundle), before);
+        with_moves(moves_of(now), [&](auto moves) {
+            if constexpr (moves != Moves::any) {
+                j = leap_round_from<width, layout, sums, moves>(j, leaps, bundle);
+            } else {
+                pass<width, layout, sums, moves>(now, bundle, 0, whole_vectors<width>(bundle), before);
                 ++j;
-        }
+            }
+        });
     }
 }
 

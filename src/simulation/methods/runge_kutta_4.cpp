@@ -107,26 +107,18 @@ void take_steps_in_blocks(const Step& step, long steps, Bundle& bundle) {
                      });
 }
 
-template <int width, Layout layout>
+template <int width>
 void take_steps_round(const Step& step, long steps, Bundle& bundle) {
     constexpr Eigen::Index stages_apart = (place(1) - place(0)) * Bundle::short_pitch;
     const ShortFields fields(bundle);
     const Eigen::Index end = whole_vectors<width>(bundle);
-    Pipeline<width, layout> pipeline(bundle, fields, place(0), 0);
+    Pipeline<width, Layout::one_rope> pipeline(bundle, fields, place(0), 0);
     for (long j = 0; j < steps; ++j) {
         go_round(pipeline, end, taker<0, width>(step, fields), 0, stages_apart);
         go_round(pipeline, end, taker<1, width>(step, fields), stages_apart, stages_apart);
         go_round(pipeline, end, taker<2, width>(step, fields), stages_apart, stages_apart);
         go_round(pipeline, end, taker<3, width>(step, fields), stages_apart, 0);
     }
-}
-
-template <int width, Layout layout>
-void take_steps(const Step& step, long steps, Bundle& bundle) {
-    if (goes_round<width, layout>(bundle))
-        take_steps_round<width, layout>(step, steps, bundle);
-    else
-        take_steps_in_blocks<width, layout>(step, steps, bundle);
 }
 
 }  // namespace
@@ -143,9 +135,11 @@ void runge_kutta_4(const Rope& rope, const Stepping& stepping, State& state, Scr
     scratch.cost.evaluations += 4 * stepping.steps;
     in_lanes(scratch.instructions, [&](auto width) {
         if (bundle.masses() <= 2 * width)
-            take_steps<width, Layout::few_masses>(step, stepping.steps, bundle);
+            take_steps_in_blocks<width, Layout::few_masses>(step, stepping.steps, bundle);
+        else if (goes_round<width, Layout::one_rope>(bundle))
+            take_steps_round<width>(step, stepping.steps, bundle);
         else
-            take_steps<width, Layout::one_rope>(step, stepping.steps, bundle);
+            take_steps_in_blocks<width, Layout::one_rope>(step, stepping.steps, bundle);
     });
     bundle.take(state, 0);
 }

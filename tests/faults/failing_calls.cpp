@@ -1,38 +1,25 @@
-// Loaded ahead of the C library (LD_PRELOAD), makes one call of a program fail, to see what the program makes
-// of it. Counts the calls that concern the folder ROPESIM_FAULT_FOLDER, or standard output once it is
-// duplicated, and those that start processes, if they may fail so, from 1; the one of number ROPESIM_FAULT_AT
-// fails as ROPESIM_FAULT_KIND says: by that errno, or "short", which writes or reads a byte at most. With
-// ROPESIM_FAULT_PLACE instead, there is no memory, once, at the place of that number in the program where
-// some is taken, in the order in which they are reached; what libraries take that it is linked with counts as
-// taken by the place that called them. ROPESIM_FAULT_LIBRARIES=1 has no library of OpenGL.
-//
-// Where it has failed a call, the file ROPESIM_FAULT_MARK names it. Helpers count for themselves.
+// Counts the calls that concern the folder ROPESIM_FAULT_FOLDER, or standard output once it is duplicated,
+// and those that start processes, if they may fail so, from 1; the one of number ROPESIM_FAULT_AT fails as
+// ROPESIM_FAULT_KIND says: by that errno, or "short", which writes or reads a byte at most.
+// ROPESIM_FAULT_LIBRARIES=1 has no library of OpenGL.
+
+#include "faults/fault_shim.h"
 
 #include <dirent.h>
-#include <dlfcn.h>
-#include <fcntl.h>
-#include <link.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-#include <unwind.h>
 
-#include <algorithm>
 #include <array>
-#include <atomic>
-#include <cerrno>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <initializer_list>
-#include <new>
 
 namespace {
+
+using fault::real;
 
 constexpr std::size_t most_files = 1024;
 constexpr int short_count = -1;  // the kind that is no errno
@@ -40,69 +27,18 @@ constexpr int short_count = -1;  // the kind that is no errno
 const char* folder = nullptr;
 long fail_at = 0;
 int kind = 0;
-long fail_at_place = 0;
 bool no_libraries = false;
 long calls = 0;
-bool in_main = false;  // what fails before it, nobody could catch
-int (*program_main)(int, char**, char**) = nullptr;
 std::array<bool, most_files> watched{};  // descriptors of files in the folder
 
-long number_in(const char* variable) {
-    const char* text = std::getenv(variable);
-    return text ? std::strtol(text, nullptr, 10) : 0;
-}
-
-// Where the code of an object lies.
-struct Object {
-    std::uintptr_t begin = UINTPTR_MAX;
-    std::uintptr_t end = 0;
-
-    bool has(std::uintptr_t address) const { return begin <= address && address < end; }
-};
-
-// The program, and the libraries that it is linked with. Those that are loaded later keep their memory, and
-// so does the one that unwinds the stack: we need it to see whose memory it is.
-std::array<Object, 64> objects;
-std::size_t object_count = 0;
-
-int add_object(dl_phdr_info* info, std::size_t, void*) {
-    if (std::strstr(info->dlpi_name, "libgcc_s")) return 0;
-    Object& object = objects[object_count++];
-    for (int i = 0; i < info->dlpi_phnum; ++i) {
-        if (info->dlpi_phdr[i].p_type != PT_LOAD) continue;
-        const std::uintptr_t begin = info->dlpi_addr + info->dlpi_phdr[i].p_vaddr;
-        if (begin < object.begin) object.begin = begin;
-        if (begin + info->dlpi_phdr[i].p_memsz > object.end) object.end = begin + info->dlpi_phdr[i].p_memsz;
-    }
-    return object_count == objects.size() ? 1 : 0;
-}
-
-// Not in programs that ropesim runs.
 __attribute__((constructor)) void begin() {
-    if (std::strcmp(program_invocation_short_name, "ropesim") != 0) return;
-    dl_iterate_phdr(add_object, nullptr);
+    if (!fault::is_in_ropesim()) return;
     const char* text = std::getenv("ROPESIM_FAULT_KIND");
     kind = text && std::strcmp(text, "short") == 0 ? short_count
-                                                   : static_cast<int>(number_in("ROPESIM_FAULT_KIND"));
-    fail_at = number_in("ROPESIM_FAULT_AT");
-    fail_at_place = number_in("ROPESIM_FAULT_PLACE");
-    no_libraries = number_in("ROPESIM_FAULT_LIBRARIES") != 0;
+                                                   : static_cast<int>(fault::number_in("ROPESIM_FAULT_KIND"));
+    fail_at = fault::number_in("ROPESIM_FAULT_AT");
+    no_libraries = fault::number_in("ROPESIM_FAULT_LIBRARIES") != 0;
     folder = std::getenv("ROPESIM_FAULT_FOLDER");
-}
-
-template <class Function>
-Function real(const char* name) {
-    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
-
-// Without calls that would be counted.
-void mark(const char* what) {
-    const char* path = std::getenv("ROPESIM_FAULT_MARK");
-    if (!path) return;
-    const long file = syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_APPEND, 0600);
-    syscall(SYS_write, file, what, std::strlen(what));
-    syscall(SYS_write, file, "\n", 1);
-    syscall(SYS_close, file);
 }
 
 bool is_in_folder(const char* path) {
@@ -147,30 +83,14 @@ bool is_likely(const char* name) {
 
 bool fails(bool concerned, const char* name) {
     if (!concerned || !folder || !is_likely(name) || ++calls != fail_at) return false;
-    mark(name);
+    fault::mark(name);
     errno = kind;
     return true;
-}
-
-int counted_main(int count, char** arguments, char** environment) {
-    in_main = true;
-    const int status = program_main(count, arguments, environment);
-    in_main = false;
-    return status;
 }
 
 }  // namespace
 
 extern "C" {
-
-int __libc_start_main(int (*start)(int, char**, char**), int count, char** arguments, void (*init)(),
-                      void (*fini)(), void (*loader_fini)(), void* stack_end) {
-    program_main = start;
-    using Start =
-        int (*)(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(), void (*)(), void*);
-    return real<Start>("__libc_start_main")(counted_main, count, arguments, init, fini, loader_fini,
-                                            stack_end);
-}
 
 int open(const char* path, int flags, ...) {
     va_list more;
@@ -361,113 +281,3 @@ void* dlopen(const char* name, int flags) {
 }
 
 }  // extern "C"
-
-namespace {
-
-const Object* object_with(std::uintptr_t address) {
-    const auto end = objects.begin() + object_count;
-    const auto found =
-        std::find_if(objects.begin(), end, [&](const Object& each) { return each.has(address); });
-    return found == end ? nullptr : &*found;
-}
-
-// Looks at the callers one by one, the nearest first.
-_Unwind_Reason_Code look(_Unwind_Context* context, void* place) {
-    const std::uintptr_t address = _Unwind_GetIP(context);
-    const Object* const object = object_with(address);
-    if (!object) return _URC_END_OF_STACK;
-    if (object != &objects.front()) return _URC_NO_REASON;
-    *static_cast<std::uintptr_t*>(place) = address - object->begin;
-    return _URC_END_OF_STACK;
-}
-
-// Adds it to those that were reached; its number where it is new, else 0.
-long number_of_new(std::uintptr_t place) {
-    static std::atomic_flag busy;
-    static std::array<std::uintptr_t, 1 << 16> reached;
-    static long count = 0;
-    while (busy.test_and_set()) {
-    }
-    const auto end = reached.begin() + count;
-    const bool is_new = std::find(reached.begin(), end, place) == end && end != reached.end();
-    if (is_new) reached[static_cast<std::size_t>(count++)] = place;
-    const long number = is_new ? count : 0;
-    busy.clear();
-    return number;
-}
-
-bool has_no_memory(const void* caller) {
-    if (!in_main || fail_at_place == 0) return false;
-    if (!object_with(reinterpret_cast<std::uintptr_t>(caller))) return false;
-    std::uintptr_t place = 0;
-    _Unwind_Backtrace(look, &place);
-    if (place == 0 || number_of_new(place) != fail_at_place) return false;
-    std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "memory at %#lx", place);
-    mark(text.data());
-    errno = ENOMEM;
-    return true;
-}
-
-}  // namespace
-
-extern "C" {
-
-void* malloc(std::size_t size) {
-    static const auto next = real<void* (*)(std::size_t)>("malloc");
-    return has_no_memory(__builtin_return_address(0)) ? nullptr : next(size);
-}
-
-void* calloc(std::size_t count, std::size_t size) {
-    static const auto next = real<void* (*)(std::size_t, std::size_t)>("calloc");
-    return has_no_memory(__builtin_return_address(0)) ? nullptr : next(count, size);
-}
-
-void* realloc(void* block, std::size_t size) {
-    static const auto next = real<void* (*)(void*, std::size_t)>("realloc");
-    return has_no_memory(__builtin_return_address(0)) ? nullptr : next(block, size);
-}
-
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-    static const auto next = real<void* (*)(std::size_t, std::size_t)>("aligned_alloc");
-    return has_no_memory(__builtin_return_address(0)) ? nullptr : next(alignment, size);
-}
-
-int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
-    static const auto next = real<int (*)(void**, std::size_t, std::size_t)>("posix_memalign");
-    return has_no_memory(__builtin_return_address(0)) ? ENOMEM : next(block, alignment, size);
-}
-
-}  // extern "C"
-
-#ifdef ROPESIM_SANITIZED
-// The sanitizer's own would not ask malloc.
-namespace {
-
-void* allocated(std::size_t size) {
-    void* memory = std::malloc(size == 0 ? 1 : size);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return allocated(size);
-}
-void* operator new[](std::size_t size) {
-    return allocated(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-#endif

@@ -3,16 +3,6 @@
 #include <algorithm>
 
 namespace ropesim {
-namespace {
-
-// The elements of one rope in a field.
-template <class Double>
-auto column(Double* field, Eigen::Index r, Eigen::Index masses, Eigen::Index ropes) {
-    using Array = std::conditional_t<std::is_const_v<Double>, const Eigen::ArrayXd, Eigen::ArrayXd>;
-    return Eigen::Map<Array, 0, Eigen::InnerStride<>>(field + r, masses, Eigen::InnerStride<>(ropes));
-}
-
-}  // namespace
 
 // From one field to the next it is some pages and four cache lines, so that what is done with one element of
 // all fields meets neither in the same lines of the cache nor in the twelve bits by which a processor tells
@@ -26,7 +16,6 @@ void Bundle::resize(Eigen::Index masses, Eigen::Index ropes, int field_count) {
     ropes_ = ropes;
     field_count_ = field_count;
     pitch_ = lines * line;
-    static_assert(short_pitch == (page + 4) * line);
     storage_.resize(static_cast<std::size_t>(lines * field_count));
 }
 
@@ -34,29 +23,44 @@ void Bundle::clear(int field) {
     std::fill_n((*this)[field], pitch_, 0.0);
 }
 
+// A rope alone is copied as a whole, by the widest instructions; what is stored in narrower ones cannot be
+// read in whole vectors before it has reached the cache.
+void Bundle::put(const double* column, int field, Eigen::Index r, double unit) {
+    double* const to = (*this)[field];
+    if (ropes_ == 1 && unit == 1.0)
+        std::copy_n(column, masses_, to);
+    else
+        for (Eigen::Index i = 0; i < masses_; ++i) to[i * ropes_ + r] = unit * column[i];
+}
+
+void Bundle::take(double* column, int field, Eigen::Index r) const {
+    const double* const from = (*this)[field];
+    if (ropes_ == 1)
+        std::copy_n(from, masses_, column);
+    else
+        for (Eigen::Index i = 0; i < masses_; ++i) column[i] = from[i * ropes_ + r];
+}
+
 void Bundle::put(const Rope& rope, Eigen::Index r) {
-    Bundle& bundle = *this;
-    column(bundle[weight], r, masses_, ropes_) = rope.inverse_mass;
-    column(bundle[fall_x], r, masses_, ropes_) = rope.free_fall.col(0);
-    column(bundle[fall_y], r, masses_, ropes_) = rope.free_fall.col(1);
+    put(rope.inverse_mass.data(), weight, r);
+    put(rope.free_fall.col(0).data(), fall_x, r);
+    put(rope.free_fall.col(1).data(), fall_y, r);
     stiffness[static_cast<std::size_t>(r)] = rope.stiffness;
     rest_length[static_cast<std::size_t>(r)] = rope.rest_length;
 }
 
 void Bundle::put(const State& state, Eigen::Index r, double unit) {
-    Bundle& bundle = *this;
-    column(bundle[x], r, masses_, ropes_) = state.position.col(0);
-    column(bundle[y], r, masses_, ropes_) = state.position.col(1);
-    column(bundle[vx], r, masses_, ropes_) = unit * state.velocity.col(0);
-    column(bundle[vy], r, masses_, ropes_) = unit * state.velocity.col(1);
+    put(state.position.col(0).data(), x, r);
+    put(state.position.col(1).data(), y, r);
+    put(state.velocity.col(0).data(), vx, r, unit);
+    put(state.velocity.col(1).data(), vy, r, unit);
 }
 
 void Bundle::take(State& state, Eigen::Index r, double unit) const {
-    const Bundle& bundle = *this;
-    state.position.col(0) = column(bundle[x], r, masses_, ropes_);
-    state.position.col(1) = column(bundle[y], r, masses_, ropes_);
-    state.velocity.col(0) = column(bundle[vx], r, masses_, ropes_);
-    state.velocity.col(1) = column(bundle[vy], r, masses_, ropes_);
+    take(state.position.col(0).data(), x, r);
+    take(state.position.col(1).data(), y, r);
+    take(state.velocity.col(0).data(), vx, r);
+    take(state.velocity.col(1).data(), vy, r);
     if (unit != 1.0) state.velocity /= unit;  // the usual unit costs no divisions
 }
 

@@ -12,18 +12,16 @@ namespace ropesim {
 // three vectors beyond their end.
 class Bundle {
   public:
-    // Inverse masses and the acceleration of gravity, both 0 at pins; place; velocity. A method may have
-    // more.
-    enum Field { weight, fall_x, fall_y, x, y, vx, vy, fields };
+    // Inverse masses and the acceleration of gravity, both 0 at pins; place; velocity; of the link to the
+    // next mass its vector and its length, which are for the loops to keep. A method may have more.
+    enum Field { weight, fall_x, fall_y, x, y, vx, vy, link_x, link_y, length, fields };
     static constexpr int most_ropes = 8;
-    static constexpr Eigen::Index short_pitch = 544;  // elements from one field of a short bundle to the next
 
     void resize(Eigen::Index masses, Eigen::Index ropes, int field_count = fields);
 
     Eigen::Index masses() const { return masses_; }
     Eigen::Index ropes() const { return ropes_; }
     int field_count() const { return field_count_; }
-    bool is_short() const { return pitch_ == short_pitch; }
     double* operator[](int field) { return storage_.data()->elements + field * pitch_; }
     const double* operator[](int field) const { return storage_.data()->elements + field * pitch_; }
 
@@ -40,6 +38,9 @@ class Bundle {
     std::array<double, most_ropes> rest_length{};  // of each rope
 
   private:
+    void put(const double* column, int field, Eigen::Index r, double unit = 1.0);
+    void take(double* column, int field, Eigen::Index r) const;
+
     struct alignas(64) CacheLine {
         double elements[8];
     };

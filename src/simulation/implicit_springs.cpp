@@ -13,7 +13,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double length(double dx, double dy) {
-    return std::sqrt(std::max(dx * dx + dy * dy, shortest_squared));
+    return std::sqrt(dx * dx + dy * dy + shortest_squared);
 }
 
 void resize(ImplicitSprings& springs, Eigen::Index masses) {

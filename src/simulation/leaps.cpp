@@ -38,28 +38,53 @@ long evaluations(const Leaps& leaps) {
                std::count_if(each.begin(), each.end(), [](const Leap& leap) { return leap.kick != 0.0; });
 }
 
+// What a loop does: where it is known, nothing need be asked for every mass.
+enum class Moves { kick_drift, kick_kick_drift, any };
+
 // A loop over the masses: what goes by one and the same acceleration.
 struct Stage {
     Leap first;
     Leap second;
+    Moves moves = moves_of(first, second);
+
+    static Moves moves_of(const Leap& first, const Leap& second) {
+        if (first.kick == 0.0) return Moves::any;
+        if (first.drift != 0.0 && !ropesim::moves(second)) return Moves::kick_drift;
+        if (first.drift == 0.0 && second.kick != 0.0 && second.drift != 0.0) return Moves::kick_kick_drift;
+        return Moves::any;
+    }
 };
 
-// Stage j of the steps: the opening of the first step, where there is one; then every leap, the last of each
-// step with the opening of the next.
-Stage stage(const Leaps& leaps, long j) {
-    const long opening = moves(leaps.opening) ? 1 : 0;
-    if (j < opening) return {leaps.opening, {}};
-    const auto count = static_cast<long>(leaps.count);
-    const long leap = j - opening;
-    const bool step_ends = leap % count == count - 1;
-    const bool all_end = leap == count * leaps.steps - 1;
-    return {leaps.leaps[static_cast<std::size_t>(leap % count)],
-            step_ends && !all_end ? leaps.opening : Leap{}};
-}
+// The loops of all steps: the opening of the first step, where there is one; then every leap, the last of
+// each step with the opening of the next.
+class Stages {
+  public:
+    explicit Stages(const Leaps& leaps)
+        : opening_(moves(leaps.opening) ? 1 : 0),
+          count_(static_cast<long>(leaps.count)),
+          size_(opening_ + count_ * leaps.steps) {
+        for (std::size_t i = 0; i < leaps.count; ++i) of_step_[i] = {leaps.leaps[i], {}};
+        last_ = of_step_[leaps.count - 1];
+        of_step_[leaps.count - 1] = {last_.first, leaps.opening};
+        first_ = {leaps.opening, {}};
+    }
 
-long stages(const Leaps& leaps) {
-    return (moves(leaps.opening) ? 1 : 0) + static_cast<long>(leaps.count) * leaps.steps;
-}
+    long size() const { return size_; }
+
+    const Stage& operator[](long j) const {
+        if (j == 0 && opening_ == 1) return first_;
+        if (j == size_ - 1) return last_;
+        return of_step_[static_cast<std::size_t>((j - opening_) % count_)];
+    }
+
+  private:
+    long opening_;
+    long count_;
+    long size_;
+    Stage first_;
+    Stage last_;
+    std::array<Stage, Leaps::most> of_step_;
+};
 
 enum class Sums { plain, damped, compensated };
 
@@ -122,17 +147,6 @@ void move(const Leap& leap, const VectorLanes<width>& a, Moving<width>& masses) 
     if (leap.drift != 0.0) drift<sums>(leap, masses);
 }
 
-// What a loop does: where it is known, nothing need be asked for every mass.
-enum class Moves { kick_drift, kick_kick_drift, any };
-
-Moves moves_of(const Stage& stage) {
-    const auto& [first, second] = stage;
-    if (first.kick == 0.0) return Moves::any;
-    if (first.drift != 0.0 && !moves(second)) return Moves::kick_drift;
-    if (first.drift == 0.0 && second.kick != 0.0 && second.drift != 0.0) return Moves::kick_kick_drift;
-    return Moves::any;
-}
-
 template <Sums sums, Moves moves, int width>
 void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses) {
     if constexpr (moves == Moves::any) {
@@ -148,39 +162,40 @@ void move(const Stage& stage, const VectorLanes<width>& a, Moving<width>& masses
 // Fields of a bundle that compensated sums need behind the others: what is lost of x, y, vx and vy.
 constexpr int lost_fields = 4;
 
-// What moves masses of a bundle, from element i, by a stage.
-template <int width, Sums sums, Moves moves, class Fields>
-auto mover(const Stage& stage, Fields& fields) {
-    double* const x = fields[Bundle::x];
-    double* const y = fields[Bundle::y];
-    double* const vx = fields[Bundle::vx];
-    double* const vy = fields[Bundle::vy];
-    std::array<double*, lost_fields> lost{};
-    if constexpr (sums == Sums::compensated)
-        for (std::size_t i = 0; i < lost_fields; ++i) lost[i] = fields[Bundle::fields + static_cast<int>(i)];
-    return [=, &stage](Eigen::Index i, const VectorLanes<width>& a) {
-        Moving<width> masses{load<width>(x + i, y + i), load<width>(vx + i, vy + i), {}};
+// The masses of a bundle.
+template <int width, Sums sums>
+class Masses {
+  public:
+    explicit Masses(Bundle& bundle)
+        : x_(bundle[Bundle::x]), y_(bundle[Bundle::y]), vx_(bundle[Bundle::vx]), vy_(bundle[Bundle::vy]) {
         if constexpr (sums == Sums::compensated)
-            masses.lost = {load<width>(lost[0] + i, lost[1] + i), load<width>(lost[2] + i, lost[3] + i)};
-        move<sums, moves>(stage, a, masses);
-        store(x + i, y + i, masses.x);
-        store(vx + i, vy + i, masses.v);
-        if constexpr (sums == Sums::compensated) {
-            store(lost[0] + i, lost[1] + i, masses.lost.x);
-            store(lost[2] + i, lost[3] + i, masses.lost.v);
-        }
-    };
-}
+            for (std::size_t i = 0; i < lost_fields; ++i)
+                lost_[i] = bundle[Bundle::fields + static_cast<int>(i)];
+    }
 
-// A loop over a part of the masses.
-template <int width, Layout layout, Sums sums, Moves moves>
-void pass(const Stage& stage, Bundle& bundle, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-    const auto move_at = mover<width, sums, moves>(stage, bundle);
-    if (moves != Moves::any || stage.first.kick != 0.0)
-        accelerate<width, layout>(bundle, Bundle::x, begin, end, before, move_at);
-    else
-        for (Eigen::Index i = begin; i < end; i += width) move_at(i, {});
-}
+    // Moves those from element i by a stage, and returns where they are then.
+    template <Moves moves>
+    VectorLanes<width> move(const Stage& stage, Eigen::Index i, const VectorLanes<width>& a) const {
+        Moving<width> masses{load<width>(x_ + i, y_ + i), load<width>(vx_ + i, vy_ + i), {}};
+        if constexpr (sums == Sums::compensated)
+            masses.lost = {load<width>(lost_[0] + i, lost_[1] + i), load<width>(lost_[2] + i, lost_[3] + i)};
+        ropesim::move<sums, moves>(stage, a, masses);
+        store(x_ + i, y_ + i, masses.x);
+        store(vx_ + i, vy_ + i, masses.v);
+        if constexpr (sums == Sums::compensated) {
+            store(lost_[0] + i, lost_[1] + i, masses.lost.x);
+            store(lost_[2] + i, lost_[3] + i, masses.lost.v);
+        }
+        return masses.x;
+    }
+
+  private:
+    double* x_;
+    double* y_;
+    double* vx_;
+    double* vy_;
+    std::array<double*, lost_fields> lost_{};
+};
 
 // Calls task(moves), the moves a constant.
 template <class Task>
@@ -196,57 +211,27 @@ void with_moves(Moves moves, const Task& task) {
 }
 
 template <int width, Layout layout, Sums sums>
-void leap_through_memory(const Leaps& leaps, Bundle& bundle) {
-    in_blocks<width>(bundle, stages(leaps),
-                     [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-                         const Stage now = stage(leaps, j);
-                         with_moves(moves_of(now), [&](auto moves) {
-                             pass<width, layout, sums, moves>(now, bundle, begin, end, before);
-                         });
-                     });
-}
-
-// Loops from the one of stage j on, as long as they do the same; returns the first that does not.
-template <int width, Layout layout, Sums sums, Moves moves>
-long leap_round_from(long j, const Leaps& leaps, Bundle& bundle) {
-    const ShortFields fields(bundle);
-    const Eigen::Index end = whole_vectors<width>(bundle);
-    Pipeline<width, layout> pipeline(bundle, fields, Bundle::x, 0);
-    for (const long all = stages(leaps); j < all; ++j) {
-        const Stage now = stage(leaps, j);
-        if (moves_of(now) != moves) break;
-        go_round(pipeline, end, mover<width, sums, moves>(now, fields));
-    }
-    return j;
-}
-
-template <int width, Layout layout, Sums sums>
-void leap_round(const Leaps& leaps, Bundle& bundle) {
-    ForcesBefore before;
-    for (long j = 0; j < stages(leaps);) {
-        const Stage now = stage(leaps, j);
-        with_moves(moves_of(now), [&](auto moves) {
-            if constexpr (moves != Moves::any) {
-                j = leap_round_from<width, layout, sums, moves>(j, leaps, bundle);
-            } else {
-                pass<width, layout, sums, moves>(now, bundle, 0, whole_vectors<width>(bundle), before);
-                ++j;
-            }
+void leap_in_loops(const Stages& stages, Bundle& bundle) {
+    const Loops<width, layout> loops(bundle);
+    const Masses<width, sums> masses(bundle);
+    in_blocks<width>(
+        bundle, stages.size(), [&](long j, Eigen::Index begin, Eigen::Index end, Before<width>& edge) {
+            const Stage& now = stages[j];
+            if (now.first.kick == 0.0)
+                return loops.each(begin, end, edge, [&](Eigen::Index i) {
+                    return masses.template move<Moves::any>(now, i, {});
+                });
+            with_moves(now.moves, [&](auto moves) {
+                loops.accelerate(begin, end, edge, [&](Eigen::Index i, const VectorLanes<width>& a) {
+                    return masses.template move<moves>(now, i, a);
+                });
+            });
         });
-    }
-}
-
-template <int width, Layout layout, Sums sums>
-void leap_in_loops(const Leaps& leaps, Bundle& bundle) {
-    if (goes_round<width, layout>(bundle))
-        leap_round<width, layout, sums>(leaps, bundle);
-    else
-        leap_through_memory<width, layout, sums>(leaps, bundle);
 }
 
 // A rope of that many vectors stays in registers through all leaps.
 template <int width, int vectors, Sums sums>
-void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
+void leap_in_registers(const Stages& stages, Bundle& bundle) {
     const SpringLanes<width> spring(bundle);
     const auto links = static_cast<std::size_t>(bundle.masses() - 1);
     std::array<Lanes<width>, vectors> weight;
@@ -259,11 +244,11 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
         masses[i].x = load<width>(bundle[Bundle::x] + i * width, bundle[Bundle::y] + i * width);
         masses[i].v = load<width>(bundle[Bundle::vx] + i * width, bundle[Bundle::vy] + i * width);
     }
-    for (long j = 0; j < stages(leaps); ++j) {
-        const Stage now = stage(leaps, j);
+    for (long j = 0; j < stages.size(); ++j) {
+        const Stage& now = stages[j];
         for (std::size_t i = 0; i < vectors; ++i) {
             const LinkLanes<width> link = link_lanes(masses[i].x, shifted_down(masses[i].x, masses[i + 1].x));
-            force_before[i + 1] = force_lanes<width>(pull_lanes(spring, link), link.d,
+            force_before[i + 1] = force_lanes<width>(pull_lanes(spring, link.length), link.d,
                                                      static_cast<Eigen::Index>(links - i * width));
         }
         for (std::size_t i = 0; i < vectors; ++i) {
@@ -280,16 +265,17 @@ void leap_in_registers(const Leaps& leaps, Bundle& bundle) {
 }
 
 template <int width, Sums sums>
-void leap_in_lanes(const Leaps& leaps, Bundle& bundle) {
-    if (bundle.ropes() > 1) return leap_in_loops<width, Layout::side_by_side, sums>(leaps, bundle);
-    if (bundle.masses() <= width) return leap_in_registers<width, 1, sums>(leaps, bundle);
-    if (bundle.masses() <= 2L * width) return leap_in_registers<width, 2, sums>(leaps, bundle);
-    leap_in_loops<width, Layout::one_rope, sums>(leaps, bundle);
+void leap_in_lanes(const Stages& stages, Bundle& bundle) {
+    if (bundle.ropes() > 1) return leap_in_loops<width, Layout::side_by_side, sums>(stages, bundle);
+    if (bundle.masses() <= width) return leap_in_registers<width, 1, sums>(stages, bundle);
+    if (bundle.masses() <= 2L * width) return leap_in_registers<width, 2, sums>(stages, bundle);
+    leap_in_loops<width, Layout::one_rope, sums>(stages, bundle);
 }
 
 template <Sums sums>
 void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions) {
-    in_lanes(instructions, [&](auto width) { leap_in_lanes<width, sums>(leaps, bundle); });
+    const Stages stages(leaps);
+    in_lanes(instructions, [&](auto width) { leap_in_lanes<width, sums>(stages, bundle); });
 }
 
 }  // namespace

@@ -27,8 +27,7 @@ void accelerations(const Rope& rope, const double* position, double* acceleratio
         for (Eigen::Index i = 0; i < masses - 1; ++i) {
             const double dx = x[i + 1] - x[i];
             const double dy = y[i + 1] - y[i];
-            const double squared = dx * dx + dy * dy;
-            const double length = std::sqrt(squared < shortest_squared ? shortest_squared : squared);
+            const double length = std::sqrt(dx * dx + dy * dy + shortest_squared);
             const double pull = k * (1.0 - l / length);
             force_x[i] = pull * dx;
             force_y[i] = pull * dy;
@@ -102,6 +101,7 @@ double taylor(double x, int n) {
 
 // exp(-x) = exp(-x/2^n)^(2^n)
 double decay(double x) {
+    if (x == 0.0) return 1.0;  // without damping, at no cost
     if (x > largest) return 0.0;
     if (x < -largest) return std::numeric_limits<double>::infinity();
     const int halvings = halve(x);

@@ -4,7 +4,8 @@
 
 namespace ropesim {
 
-// Stands for the square of a zero length, so that 0 * (rest length / length) is 0.
+// Added to the square of a link's length, so that 0 * (rest length / length) is 0. Lengths above 1e-91 are
+// those without it, to the last bit.
 inline constexpr double shortest_squared = 1e-200;
 
 // scratch.acceleration: that of every mass by its springs and gravity; zero at pinned masses. A link of

@@ -48,16 +48,16 @@ struct Damping {
     double factor;
 };
 
-// Lengths about those of one vector, several, as many as go round, a block of the cache and several; steps
-// about those that go through the cache at once.
+// Lengths about those of one vector, several, two blocks of the cache (by what a method keeps for each mass)
+// and more; steps about those that go through the cache at once.
 struct Case {
     int masses;
     long steps;
 };
-constexpr Case cases[] = {{2, 3},   {3, 5},   {7, 9},   {8, 9},     {9, 9},    {10, 1},    {11, 7},
-                          {15, 64}, {16, 65}, {17, 64}, {20, 2},    {21, 7},   {31, 10},   {33, 10},
-                          {40, 4},  {41, 7},  {48, 65}, {49, 1},    {64, 11},  {100, 130}, {520, 9},
-                          {521, 9}, {528, 9}, {529, 9}, {1025, 10}, {2500, 70}};
+constexpr Case cases[] = {{2, 3},   {3, 5},   {7, 9},   {8, 9},     {9, 9},    {10, 1},  {11, 7},  {15, 64},
+                          {16, 65}, {17, 64}, {20, 2},  {21, 7},    {31, 10},  {33, 10}, {40, 4},  {41, 7},
+                          {48, 65}, {49, 1},  {64, 11}, {100, 130}, {448, 9},  {449, 9}, {512, 9}, {513, 40},
+                          {704, 9}, {705, 9}, {717, 9}, {1025, 10}, {2500, 70}};
 
 class EachInstructionSet : public testing::TestWithParam<InstructionSet> {};
 INSTANTIATE_TEST_SUITE_P(OfThisMachine, EachInstructionSet,

@@ -12,11 +12,13 @@ namespace {
 constexpr double weights[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
 constexpr double nodes[3] = {0.5, 0.5, 1.0};  // of stages 1, 2, 3
 
-// Fields beside those of the bundle, which are those at the start of a step; each of x and then of y.
+// Fields beside those of the bundle, which are those at the start of a step; each of x and then of y: the
+// acceleration of the last stage, and the weighted sums of velocities and accelerations up to it.
 enum Field {
-    stage_place = Bundle::fields,
-    stage_acceleration = stage_place + 2,
-    field_count = stage_acceleration + 6
+    acceleration = Bundle::fields,
+    sum_v = acceleration + 2,
+    sum_a = sum_v + 2,
+    field_count = sum_a + 2
 };
 
 struct Step {
@@ -24,101 +26,89 @@ struct Step {
     double damping;
 };
 
-// One coordinate of the masses.
-struct Coordinate {
-    double* x;
-    double* v;
-    double* stage_x;
-    std::array<double*, 3> stage_a;  // of stages 0, 1, 2
+// One coordinate of the masses of a bundle.
+class Coordinate {
+  public:
+    // That of axis 0 or 1.
+    Coordinate(Bundle& bundle, int axis)
+        : x_(bundle[Bundle::x + axis]),
+          v_(bundle[Bundle::vx + axis]),
+          a_(bundle[acceleration + axis]),
+          sum_v_(bundle[sum_v + axis]),
+          sum_a_(bundle[sum_a + axis]) {}
+
+    // Finishes stage s of a step for some masses, once their accelerations without damping are known; returns
+    // where they are. Its velocities follow from the accelerations of the stage before: to compute them costs
+    // less than to keep them.
+    template <std::size_t s, bool damps, class L>
+    L finish(const Step& step, const L& undamped_a, Eigen::Index i) const {
+        constexpr int width = sizeof(L) / sizeof(double);
+        const L x = load<width>(x_ + i);
+        const L v = load<width>(v_ + i);
+        L stage_v = v;
+        L a_before;
+        if constexpr (s > 0) {
+            a_before = load<width>(a_ + i);
+            stage_v = v + nodes[s - 1] * step.size * a_before;
+        }
+        L a = undamped_a;
+        if (damps) a = a - step.damping * stage_v;
+        L v_sum;
+        L a_sum;
+        if constexpr (s == 1) {
+            v_sum = L{} + weights[0] * v + weights[1] * stage_v;
+            a_sum = L{} + weights[0] * a_before + weights[1] * a;
+        } else if constexpr (s > 1) {
+            v_sum = load<width>(sum_v_ + i) + weights[s] * stage_v;
+            a_sum = load<width>(sum_a_ + i) + weights[s] * a;
+        }
+        if constexpr (s == 3) {
+            const L place = x + step.size * v_sum;
+            store(x_ + i, place);
+            store(v_ + i, v + step.size * a_sum);
+            return place;
+        } else {
+            store(a_ + i, a);
+            if constexpr (s > 0) {
+                store(sum_v_ + i, v_sum);
+                store(sum_a_ + i, a_sum);
+            }
+            return x + nodes[s] * step.size * stage_v;
+        }
+    }
+
+  private:
+    double* x_;
+    double* v_;
+    double* a_;
+    double* sum_v_;
+    double* sum_a_;
 };
 
-// Stage s of a step for some masses, once their accelerations without damping are known. The velocities of
-// the stages follow from their accelerations: to compute them again costs less than to keep them.
-template <std::size_t s, class L>
-void finish_stage(const Step& step, const L& undamped_a, const Coordinate& at, Eigen::Index i) {
-    constexpr int width = sizeof(L) / sizeof(double);
-    const L x = load<width>(at.x + i);
-    std::array<L, s + 1> stage_v;
-    std::array<L, s + 1> stage_a;
-    stage_v[0] = load<width>(at.v + i);
-    constexpr std::size_t first = s == 1 || s == 2 ? s - 1 : 0;  // of those that it needs
-    for (std::size_t before = first; before < s; ++before) {
-        stage_a[before] = load<width>(at.stage_a[before] + i);
-        stage_v[before + 1] = stage_v[0] + nodes[before] * step.size * stage_a[before];
-    }
-    stage_a[s] = undamped_a;
-    if (step.damping != 0.0) stage_a[s] = stage_a[s] - step.damping * stage_v[s];
-    if constexpr (s < 3) {
-        store(at.stage_a[s] + i, stage_a[s]);
-        store(at.stage_x + i, x + nodes[s] * step.size * stage_v[s]);
-    } else {
-        L mean_v{};
-        L mean_a{};
-        for (std::size_t stage = 0; stage <= s; ++stage) {
-            mean_v = mean_v + weights[stage] * stage_v[stage];
-            mean_a = mean_a + weights[stage] * stage_a[stage];
+template <int width, bool damps>
+void take_steps(const Step& step, long steps, Bundle& bundle) {
+    const Loops<width, Layout::one_rope> loops(bundle);
+    const Coordinate x(bundle, 0);
+    const Coordinate y(bundle, 1);
+    in_blocks<
+        width>(bundle, 4 * steps, [&](long j, Eigen::Index begin, Eigen::Index end, Before<width>& edge) {
+        const auto take_stage = [&](auto stage) {
+            constexpr std::size_t s = stage;
+            loops.accelerate(begin, end, edge, [=](Eigen::Index i, const VectorLanes<width>& a) {
+                return VectorLanes<width>{x.finish<s, damps>(step, a.x, i), y.finish<s, damps>(step, a.y, i)};
+            });
+        };
+        switch (j % 4) {
+            case 0:
+                return take_stage(std::integral_constant<std::size_t, 0>());
+            case 1:
+                return take_stage(std::integral_constant<std::size_t, 1>());
+            case 2:
+                return take_stage(std::integral_constant<std::size_t, 2>());
+            default:
+                return take_stage(std::integral_constant<std::size_t, 3>());
         }
-        store(at.x + i, x + step.size * mean_v);
-        store(at.v + i, stage_v[0] + step.size * mean_a);
-    }
-}
-
-// What takes stage s of a step for the masses from element i.
-template <std::size_t s, int width, class Fields>
-auto taker(const Step& step, Fields& fields) {
-    const auto coordinate = [&](int axis) {
-        const auto stage_a = [&](int stage) { return fields[stage_acceleration + 2 * stage + axis]; };
-        return Coordinate{fields[Bundle::x + axis],
-                          fields[Bundle::vx + axis],
-                          fields[stage_place + axis],
-                          {stage_a(0), stage_a(1), stage_a(2)}};
-    };
-    return [step, x = coordinate(0), y = coordinate(1)](Eigen::Index i, const VectorLanes<width>& a) {
-        finish_stage<s>(step, a.x, x, i);
-        finish_stage<s>(step, a.y, y, i);
-    };
-}
-
-// Where the masses are at stage s.
-constexpr int place(std::size_t s) {
-    return s == 0 ? int(Bundle::x) : int(stage_place);
-}
-
-template <int width, Layout layout, std::size_t s>
-void take_stage(const Step& step, Bundle& bundle, Eigen::Index begin, Eigen::Index end,
-                ForcesBefore& before) {
-    accelerate<width, layout>(bundle, place(s), begin, end, before, taker<s, width>(step, bundle));
-}
-
-template <int width, Layout layout>
-void take_steps_in_blocks(const Step& step, long steps, Bundle& bundle) {
-    in_blocks<width>(bundle, 4 * steps,
-                     [&](long j, Eigen::Index begin, Eigen::Index end, ForcesBefore& before) {
-                         switch (j % 4) {
-                             case 0:
-                                 return take_stage<width, layout, 0>(step, bundle, begin, end, before);
-                             case 1:
-                                 return take_stage<width, layout, 1>(step, bundle, begin, end, before);
-                             case 2:
-                                 return take_stage<width, layout, 2>(step, bundle, begin, end, before);
-                             default:
-                                 return take_stage<width, layout, 3>(step, bundle, begin, end, before);
-                         }
-                     });
-}
-
-template <int width>
-void take_steps_round(const Step& step, long steps, Bundle& bundle) {
-    constexpr Eigen::Index stages_apart = (place(1) - place(0)) * Bundle::short_pitch;
-    const ShortFields fields(bundle);
-    const Eigen::Index end = whole_vectors<width>(bundle);
-    Pipeline<width, Layout::one_rope> pipeline(bundle, fields, place(0), 0);
-    for (long j = 0; j < steps; ++j) {
-        go_round(pipeline, end, taker<0, width>(step, fields), 0, stages_apart);
-        go_round(pipeline, end, taker<1, width>(step, fields), stages_apart, stages_apart);
-        go_round(pipeline, end, taker<2, width>(step, fields), stages_apart, stages_apart);
-        go_round(pipeline, end, taker<3, width>(step, fields), stages_apart, 0);
-    }
+    });
 }
 
 }  // namespace
@@ -134,12 +124,10 @@ void runge_kutta_4(const Rope& rope, const Stepping& stepping, State& state, Scr
     bundle.put(state, 0);
     scratch.cost.evaluations += 4 * stepping.steps;
     in_lanes(scratch.instructions, [&](auto width) {
-        if (bundle.masses() <= 2 * width)
-            take_steps_in_blocks<width, Layout::few_masses>(step, stepping.steps, bundle);
-        else if (goes_round<width, Layout::one_rope>(bundle))
-            take_steps_round<width>(step, stepping.steps, bundle);
+        if (step.damping != 0.0)
+            take_steps<width, true>(step, stepping.steps, bundle);
         else
-            take_steps_in_blocks<width, Layout::one_rope>(step, stepping.steps, bundle);
+            take_steps<width, false>(step, stepping.steps, bundle);
     });
     bundle.take(state, 0);
 }

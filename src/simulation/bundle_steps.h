@@ -158,11 +158,18 @@ class Loops {
     // The same where the move needs no accelerations: it is called with i alone.
     template <class Move>
     void each(Eigen::Index begin, Eigen::Index end, Before<width>& edge, const Move& move) const {
-        VectorLanes<width> before = move(begin);
-        if (begin > 0) measure(begin - width, edge.place, before);
-        for (Eigen::Index i = begin + width; i < end; i += width) {
+        VectorLanes<width> before;
+        if (begin > 0) before = edge.place;
+        Eigen::Index i = begin;
+        if constexpr (side_by_side) {  // faster by up to a tenth; of one rope it is not
+            if (begin == 0) {
+                before = move(i);
+                i += width;
+            }
+        }
+        for (; i < end; i += width) {
             const VectorLanes<width> place = move(i);
-            measure(i - width, before, place);
+            if (side_by_side || i > 0) measure(i - width, before, place);
             before = place;
         }
         if (end < elements_)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 // The loops over the masses of a bundle that the explicit methods go through: the acceleration of each mass,
 // and what a method does with it. To be called from `in_lanes`.
@@ -99,10 +98,10 @@ Eigen::Index whole_vectors(const Bundle& bundle) {
     return (bundle.masses() * bundle.ropes() + width - 1) / width * width;
 }
 
-// Of the vector before a place in a bundle, for the loop that goes on from there: the forces of its links,
+// The vector before a place in a bundle, for the loop that goes on from there: the forces of its links,
 // and where its masses are.
 template <int width>
-struct Before {
+struct Edge {
     VectorLanes<width> force;
     VectorLanes<width> place;
 };
@@ -125,7 +124,7 @@ class Loops {
           link_x_(bundle[Bundle::link_x]),
           link_y_(bundle[Bundle::link_y]),
           length_(bundle[Bundle::length]) {
-        Before<width> none;
+        Edge<width> none;
         each(0, elements_, none, [x = bundle[Bundle::x], y = bundle[Bundle::y]](Eigen::Index i) {
             return load<width>(x + i, y + i);
         });
@@ -134,7 +133,7 @@ class Loops {
     // For every vector from `begin` to `end`, multiples of the width, calls move(i, a) with the accelerations
     // of its masses, which are those from element i; it returns where they are then.
     template <class Move>
-    void accelerate(Eigen::Index begin, Eigen::Index end, Before<width>& edge, const Move& move) const {
+    void accelerate(Eigen::Index begin, Eigen::Index end, Edge<width>& edge, const Move& move) const {
         VectorLanes<width> force_before;
         if (begin > 0) force_before = edge.force;
         Lanes<width> pull = pull_at(begin);
@@ -155,9 +154,10 @@ class Loops {
         if (end < elements_) edge.force = force_before;
     }
 
-    // The same where the move needs no accelerations: it is called with i alone.
+    // The same where the move needs no accelerations: it is called with i alone. Measures the links of the
+    // masses that have moved.
     template <class Move>
-    void each(Eigen::Index begin, Eigen::Index end, Before<width>& edge, const Move& move) const {
+    void each(Eigen::Index begin, Eigen::Index end, Edge<width>& edge, const Move& move) const {
         VectorLanes<width> before;
         if (begin > 0) before = edge.place;
         Eigen::Index i = begin;
@@ -214,11 +214,11 @@ void in_blocks(const Bundle& bundle, long stages, const Stage& stage) {
     const Eigen::Index block = cache / bundle.field_count() / width * width;
     const Eigen::Index elements = whole_vectors<width>(bundle);
     if (elements <= 2 * block) {
-        Before<width> none;
+        Edge<width> none;
         for (long j = 0; j < stages; ++j) stage(j, 0, elements, none);
         return;
     }
-    std::array<Before<width>, most_at_once> edges;
+    std::array<Edge<width>, most_at_once> edges;
     for (long first = 0; first < stages; first += most_at_once) {
         const long count = std::min(most_at_once, stages - first);
         const Eigen::Index behind = (count - 1) * width;

@@ -215,7 +215,7 @@ void leap_in_loops(const Stages& stages, Bundle& bundle) {
     const Loops<width, layout> loops(bundle);
     const Masses<width, sums> masses(bundle);
     in_blocks<width>(
-        bundle, stages.size(), [&](long j, Eigen::Index begin, Eigen::Index end, Before<width>& edge) {
+        bundle, stages.size(), [&](long j, Eigen::Index begin, Eigen::Index end, Edge<width>& edge) {
             const Stage& now = stages[j];
             if (now.first.kick == 0.0)
                 return loops.each(begin, end, edge, [&](Eigen::Index i) {

@@ -10,14 +10,14 @@
 namespace ropesim {
 namespace {
 
-// A sensible length of a rope that does not fall.
-double sensible_length(const Rope& rope) {
-    return static_cast<double>(rope.start.rows() - 1) * std::max(longest_link(rope.start), rope.rest_length);
-}
-
 // A sum of zeros, unless there is an infinity or a NaN among them: many are asked at once.
 bool is_finite(const State& state) {
     return (0.0 * state.position).sum() + (0.0 * state.velocity).sum() == 0.0;
+}
+
+// A sensible length of a rope that does not fall.
+double sensible_length(const Rope& rope) {
+    return static_cast<double>(rope.start.rows() - 1) * std::max(longest_link(rope.start), rope.rest_length);
 }
 
 double sensible_length(double length, const Rope& rope, double time) {

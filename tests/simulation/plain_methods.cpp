@@ -15,8 +15,7 @@ Points plain_accelerations(const Rope& rope, const Points& position) {
     for (Eigen::Index i = 0; i + 1 < masses; ++i) {
         const double dx = position(i + 1, 0) - position(i, 0);
         const double dy = position(i + 1, 1) - position(i, 1);
-        const double squared = dx * dx + dy * dy;
-        const double length = std::sqrt(squared < 1e-200 ? 1e-200 : squared);
+        const double length = std::sqrt(dx * dx + dy * dy + 1e-200);
         const double pull = rope.stiffness * (1.0 - rope.rest_length / length);
         force.row(i + 1) << pull * dx, pull * dy;
     }

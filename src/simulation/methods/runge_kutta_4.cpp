@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <type_traits>
 
 namespace ropesim {
 
@@ -52,7 +53,7 @@ class Coordinate {
             stage_v = v + nodes[s - 1] * step.size * a_before;
         }
         L a = undamped_a;
-        if (damps) a = a - step.damping * stage_v;
+        if constexpr (damps) a = a - step.damping * stage_v;
         L v_sum;
         L a_sum;
         if constexpr (s == 1) {
@@ -90,8 +91,7 @@ void take_steps(const Step& step, long steps, Bundle& bundle) {
     const Loops<width, Layout::one_rope> loops(bundle);
     const Coordinate x(bundle, 0);
     const Coordinate y(bundle, 1);
-    in_blocks<
-        width>(bundle, 4 * steps, [&](long j, Eigen::Index begin, Eigen::Index end, Before<width>& edge) {
+    const auto part = [&](long j, Eigen::Index begin, Eigen::Index end, Edge<width>& edge) {
         const auto take_stage = [&](auto stage) {
             constexpr std::size_t s = stage;
             loops.accelerate(begin, end, edge, [=](Eigen::Index i, const VectorLanes<width>& a) {
@@ -108,7 +108,8 @@ void take_steps(const Step& step, long steps, Bundle& bundle) {
             default:
                 return take_stage(std::integral_constant<std::size_t, 3>());
         }
-    });
+    };
+    in_blocks<width>(bundle, 4 * steps, part);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "simulation/instruction_set.h"
 
 #include <array>
-#include <span>
 
 namespace ropesim {
 

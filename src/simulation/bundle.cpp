@@ -4,14 +4,13 @@
 
 namespace ropesim {
 
-// From one field to the next it is some pages and four cache lines, so that what is done with one element of
-// all fields meets neither in the same lines of the cache nor in the twelve bits by which a processor tells
-// whether it reads what it has just written.
+// From one field to the next it is an odd number of times four cache lines, so that what is done with one
+// element of up to sixteen fields meets neither in the same lines of the cache (64 sets) nor in the twelve
+// bits by which a processor tells whether it reads what it has just written.
 void Bundle::resize(Eigen::Index masses, Eigen::Index ropes, int field_count) {
     constexpr Eigen::Index line = 8;
-    constexpr Eigen::Index page = 64;
     const Eigen::Index needed = (masses * ropes + line - 1) / line + 3;
-    const Eigen::Index lines = (needed - 4 + page - 1) / page * page + 4;
+    const Eigen::Index lines = (needed + 3) / 8 * 8 + 4;
     masses_ = masses;
     ropes_ = ropes;
     field_count_ = field_count;

@@ -5,6 +5,7 @@
 #include "scene/words.h"
 
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -37,33 +37,6 @@ constexpr std::size_t most_frames = 2;
 // What a helper sends for each frame that it has drawn. Where it fails, it sends why instead, and ends.
 constexpr char drawn_mark = '\1';
 
-using Bytes = std::span<std::byte>;
-
-// A frame as it goes to a helper: this, then for each rope the number of its masses and their coordinates.
-struct FrameHeader {
-    long frame = 0;
-    std::size_t ropes = 0;
-    std::size_t size = 0;  // of all that follows, bytes
-};
-
-template <class Value>
-void put(std::vector<std::byte>& message, const Value* values, std::size_t count) {
-    const auto bytes = std::as_bytes(std::span(values, count));
-    message.insert(message.end(), bytes.begin(), bytes.end());
-}
-
-std::vector<std::byte> message_of(long frame, const std::vector<Points>& positions) {
-    std::vector<std::byte> message(sizeof(FrameHeader));
-    for (const Points& points : positions) {
-        const Eigen::Index masses = points.rows();
-        put(message, &masses, 1);
-        put(message, points.data(), static_cast<std::size_t>(points.size()));
-    }
-    const FrameHeader header{frame, positions.size(), message.size() - sizeof(FrameHeader)};
-    std::memcpy(message.data(), &header, sizeof header);
-    return message;
-}
-
 // False where nobody reads any more.
 bool send_all(int socket, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -79,7 +52,7 @@ bool send_all(int socket, std::span<const std::byte> bytes) {
 }
 
 // False where the other end has been closed.
-bool read_all(int file, Bytes bytes) {
+bool read_all(int file, std::span<std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::read(file, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) {
@@ -92,32 +65,8 @@ bool read_all(int file, Bytes bytes) {
     return true;
 }
 
-void take(std::span<const std::byte>& message, void* values, std::size_t size) {
-    std::memcpy(values, message.data(), size);
-    message = message.subspan(size);
-}
-
-std::vector<Points> positions_in(std::span<const std::byte> message, std::size_t ropes) {
-    std::vector<Points> positions(ropes);
-    for (Points& points : positions) {
-        Eigen::Index masses = 0;
-        take(message, &masses, sizeof masses);
-        points.resize(masses, 2);
-        take(message, points.data(), static_cast<std::size_t>(points.size()) * sizeof(double));
-    }
-    return positions;
-}
-
-void draw_what_comes(int socket, const DrawFrame& draw) {
-    FrameHeader header;
-    std::vector<std::byte> message;
-    while (read_all(socket, std::as_writable_bytes(std::span(&header, 1)))) {
-        message.resize(header.size);
-        if (!read_all(socket, message)) return;
-        Interrupts::check();
-        draw(header.frame, positions_in(message, header.ropes));
-        if (!send_all(socket, std::as_bytes(std::span(&drawn_mark, 1)))) return;
-    }
+[[noreturn]] void throw_cannot_start(int error) {
+    throw std::runtime_error("cannot start a job: " + std::generic_category().message(error));
 }
 
 int own_socket = -1;  // a helper's
@@ -130,23 +79,6 @@ int own_socket = -1;  // a helper's
 [[noreturn]] void end_where_none_may_pass() {
     if (is_want_of_memory(std::current_exception())) end_with(want_of_memory);
     std::abort();
-}
-
-// The whole life of a helper.
-[[noreturn]] void help(int socket, const DrawFrame& draw) noexcept {
-    own_socket = socket;
-    std::set_terminate(end_where_none_may_pass);
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody works on when the parent was killed
-    try {
-        draw_what_comes(socket, draw);
-    } catch (const Interrupted& interrupted) {
-        ::_exit(128 + interrupted.signal);
-    } catch (const std::bad_alloc&) {
-        end_with(want_of_memory);
-    } catch (const std::exception& error) {
-        end_with(one_line(error.what()));
-    }
-    ::_exit(0);
 }
 
 // What a helper has sent by now; nothing where it has ended.
@@ -178,10 +110,92 @@ int signal_of(int status) {
 
 }  // namespace
 
-Helpers::Helpers(int count, DrawFrame draw) : draw_(std::move(draw)) {
+// Memory that this process and a helper both see, for the positions of the frames that it has: for each rope
+// the number of its masses, then their coordinates.
+class Helpers::Slots {
+  public:
+    explicit Slots(std::size_t slot_size)
+        : slot_size_(slot_size), bytes_(std::max<std::size_t>(1, most_frames * slot_size)) {
+        void* const memory = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
+                                    MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (memory == MAP_FAILED) throw_cannot_start(errno);
+        memory_ = static_cast<std::byte*>(memory);
+    }
+    ~Slots() { ::munmap(memory_, bytes_); }
+    Slots(const Slots&) = delete;
+    Slots& operator=(const Slots&) = delete;
+
+    static std::size_t size_of(const std::vector<Points>& positions) {
+        std::size_t size = 0;
+        for (const Points& points : positions) size += sizeof(Eigen::Index) + size_of(points);
+        return size;
+    }
+
+    bool fit(const std::vector<Points>& positions) const { return size_of(positions) <= slot_size_; }
+
+    void put(std::size_t slot, const std::vector<Points>& positions) {
+        std::byte* to = memory_ + slot * slot_size_;
+        for (const Points& points : positions) {
+            const Eigen::Index masses = points.rows();
+            std::memcpy(to, &masses, sizeof masses);
+            std::memcpy(to + sizeof masses, points.data(), size_of(points));
+            to += sizeof masses + size_of(points);
+        }
+    }
+
+    std::vector<Points> positions(std::size_t slot, std::size_t ropes) const {
+        const std::byte* from = memory_ + slot * slot_size_;
+        std::vector<Points> positions(ropes);
+        for (Points& points : positions) {
+            Eigen::Index masses = 0;
+            std::memcpy(&masses, from, sizeof masses);
+            points.resize(masses, 2);
+            std::memcpy(points.data(), from + sizeof masses, size_of(points));
+            from += sizeof masses + size_of(points);
+        }
+        return positions;
+    }
+
+  private:
+    static std::size_t size_of(const Points& points) {
+        return static_cast<std::size_t>(points.size()) * sizeof(double);
+    }
+
+    std::size_t slot_size_;
+    std::size_t bytes_;
+    std::byte* memory_;
+};
+
+void Helpers::draw_what_comes(int socket, const Slots& slots, const DrawFrame& draw) {
+    Task task;
+    while (read_all(socket, std::as_writable_bytes(std::span(&task, 1)))) {
+        Interrupts::check();
+        draw(task.frame, slots.positions(task.slot, task.ropes));
+        if (!send_all(socket, std::as_bytes(std::span(&drawn_mark, 1)))) return;
+    }
+}
+
+// The whole life of a helper.
+void Helpers::help(int socket, const Slots& slots, const DrawFrame& draw) noexcept {
+    own_socket = socket;
+    std::set_terminate(end_where_none_may_pass);
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody works on when the parent was killed
+    try {
+        draw_what_comes(socket, slots, draw);
+    } catch (const Interrupted& interrupted) {
+        ::_exit(128 + interrupted.signal);
+    } catch (const std::bad_alloc&) {
+        end_with(want_of_memory);
+    } catch (const std::exception& error) {
+        end_with(one_line(error.what()));
+    }
+    ::_exit(0);
+}
+
+Helpers::Helpers(int count, const std::vector<Points>& positions, DrawFrame draw) : draw_(std::move(draw)) {
     std::fflush(nullptr);
     try {
-        for (int i = 0; i < count; ++i) start();
+        for (int i = 0; i < count; ++i) start(Slots::size_of(positions));
     } catch (...) {
         end_all();
         throw;
@@ -192,23 +206,23 @@ Helpers::~Helpers() {
     end_all();
 }
 
-void Helpers::start() {
+void Helpers::start(std::size_t slot_size) {
+    auto slots = std::make_unique<Slots>(slot_size);
     std::array<int, 2> ends;
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        throw std::runtime_error("cannot start a job: " + std::generic_category().message(errno));
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw_cannot_start(errno);
     const pid_t process = ::fork();
     if (process == 0) {
         for (const Helper& other : helpers_) ::close(other.socket);
         ::close(ends[0]);
-        help(ends[1], draw_);
+        help(ends[1], *slots, draw_);
     }
     const int error = errno;
     ::close(ends[1]);
     if (process < 0) {
         ::close(ends[0]);
-        throw std::runtime_error("cannot start a job: " + std::generic_category().message(error));
+        throw_cannot_start(error);
     }
-    helpers_.push_back({process, ends[0], {}});
+    helpers_.push_back({process, ends[0], std::move(slots), {}, 0});
 }
 
 bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
@@ -217,12 +231,15 @@ bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
     const auto idlest =
         std::ranges::min_element(asked, {}, [](const Helper& helper) { return helper.undrawn.size(); });
     if (idlest == asked.end() || idlest->undrawn.size() == most_frames) return false;
-    std::vector<std::byte> message = message_of(frame, positions);
-    if (!send_all(idlest->socket, message)) {
+    if (!idlest->slots->fit(positions)) return false;
+    const Task task{frame, positions.size(), idlest->next_slot};
+    idlest->slots->put(task.slot, positions);
+    if (!send_all(idlest->socket, std::as_bytes(std::span(&task, 1)))) {
         bury(static_cast<std::size_t>(idlest - asked.begin()), "");
         return false;
     }
-    idlest->undrawn.push_back(std::move(message));
+    idlest->undrawn.push_back(task);
+    idlest->next_slot = (task.slot + 1) % most_frames;
     return true;
 }
 
@@ -248,7 +265,7 @@ void Helpers::receive_marks(bool wait) {
         if (sockets[i].revents == 0) continue;
         const std::string words = received(sockets[i].fd);
         const auto marks = static_cast<long>(std::min(words.find_first_not_of(drawn_mark), words.size()));
-        std::deque<std::vector<std::byte>>& undrawn = helpers_[i].undrawn;
+        std::deque<Task>& undrawn = helpers_[i].undrawn;
         undrawn.erase(undrawn.begin(), undrawn.begin() + marks);
         drawn_ += marks;
         if (marks == 0 || !words.ends_with(drawn_mark)) bury(i, words);
@@ -270,10 +287,8 @@ void Helpers::bury(std::size_t helper, std::string words) {
     std::fprintf(stderr, "ropesim: a job was ended by signal %d (%s); its frames are drawn again\n",
                  signal_of(status),
                  ::strsignal(signal_of(status)));  // NOLINT(concurrency-mt-unsafe): nothing else asks
-    for (const std::vector<std::byte>& message : dead.undrawn) {
-        FrameHeader header;
-        std::memcpy(&header, message.data(), sizeof header);
-        draw_(header.frame, positions_in(std::span(message).subspan(sizeof header), header.ropes));
+    for (const Task& task : dead.undrawn) {
+        draw_(task.frame, dead.slots->positions(task.slot, task.ropes));
         ++drawn_;
     }
 }

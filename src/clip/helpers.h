@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ using DrawFrame = std::function<void(long frame, const std::vector<Points>& posi
 // process draws, and says so on stderr; the others go on.
 class Helpers {
   public:
-    // Throws std::runtime_error where a process cannot be started.
-    Helpers(int count, DrawFrame draw);
+    // For frames with no more masses than there are in these positions. Throws std::runtime_error where a
+    // process cannot be started.
+    Helpers(int count, const std::vector<Points>& positions, DrawFrame draw);
     ~Helpers();  // ends those that are still at work, after the frame they are at
     Helpers(const Helpers&) = delete;
     Helpers& operator=(const Helpers&) = delete;
@@ -42,13 +44,25 @@ class Helpers {
     void finish();
 
   private:
+    // A frame that a helper has, of so many ropes. Their positions are in memory that both see: they need
+    // not fit into a socket, so that nobody waits for one that draws.
+    struct Task {
+        long frame = 0;
+        std::size_t ropes = 0;
+        std::size_t slot = 0;
+    };
+    class Slots;
     struct Helper {
         pid_t process;
-        int socket;                                  // frames go there; what is drawn, or why not, comes back
-        std::deque<std::vector<std::byte>> undrawn;  // messages of the frames that it has
+        int socket;  // tasks go there; what is drawn, or why not, comes back
+        std::unique_ptr<Slots> slots;
+        std::deque<Task> undrawn;
+        std::size_t next_slot;
     };
 
-    void start();
+    [[noreturn]] static void help(int socket, const Slots& slots, const DrawFrame& draw) noexcept;
+    static void draw_what_comes(int socket, const Slots& slots, const DrawFrame& draw);
+    void start(std::size_t slot_size);
     void receive_marks(bool wait);
     void bury(std::size_t helper, std::string words);
     void end_all();

@@ -86,11 +86,13 @@ class FrameWriter {
     std::unique_ptr<Renderer> renderer_;
 };
 
-// Where nobody said how many: they wait, and cost next to nothing, until it shows that they are worth it. One
-// that would draw fewer frames than this would not be.
-int most_helpers(long frames) {
+// Where nobody said how many jobs, they wait, and cost next to nothing, until it shows that they are worth
+// it. One that would draw fewer frames than this would not be.
+int most_helpers(const std::optional<int>& jobs, long frames) {
     constexpr long least_frames = 8;
-    return static_cast<int>(std::min<long>(processors() - 1, frames / least_frames));
+    const long most =
+        jobs ? std::min<long>(*jobs, frames) - 1 : std::min<long>(processors() - 1, frames / least_frames);
+    return static_cast<int>(std::max(0L, most));
 }
 
 void advance_to(long frame, Simulation& simulation) {
@@ -171,7 +173,7 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
     const auto wanted = [&](long frame) { return options.shard.contains(frame); };
     long left = std::ranges::count_if(options.frames, wanted);
     Progress progress(left, "frames", options.show_progress);
-    Helpers helpers(options.jobs ? *options.jobs - 1 : most_helpers(left),
+    Helpers helpers(most_helpers(options.jobs, left), simulation.positions(),
                     [&](long frame, const auto& at) { writer.write(frame, at); });
     int at_work = options.jobs ? helpers.count() : 0;
     Pace pace;

@@ -136,8 +136,9 @@ void write_frames(const CompareOptions& options, const Scene& scene, const Parti
         if (!painter) painter = std::make_unique<ComparisonPainter>(scene, parts, layout(options.layout));
         write_file(folder / frame_name(frame, scene.frames), encode_png(painter->draw(frame, positions), {}));
     };
-    Helpers helpers(options.jobs - 1, draw);
-    Progress progress(static_cast<long>(frames.size()), "frames", !options.quiet);
+    const long count = static_cast<long>(frames.size());
+    Helpers helpers(static_cast<int>(std::min<long>(options.jobs, count)) - 1, simulation.positions(), draw);
+    Progress progress(count, "frames", !options.quiet);
     for_each_frame(scene, frames, simulation, [&](long frame, const std::vector<Points>& positions) {
         Interrupts::check();
         if (!helpers.take(frame, positions, helpers.count())) {

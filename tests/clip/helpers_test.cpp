@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 #include <csignal>
+#include <filesystem>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -35,12 +36,13 @@ class HelpersTest : public testing::Test {
     }
 
     const pid_t parent = ::getpid();
+    const std::vector<Points> one_mass{Points::Zero(1, 2)};
     const TemporaryFolder temporary;
 };
 
 TEST_F(HelpersTest, DrawWhatOneLeftThatWasKilled) {
     testing::internal::CaptureStderr();
-    Helpers helpers(2, [&](long frame, const std::vector<Points>& positions) {
+    Helpers helpers(2, one_mass, [&](long frame, const std::vector<Points>& positions) {
         if (frame == 1 && ::getpid() != parent) std::raise(SIGKILL);
         draw(frame, positions);
     });
@@ -56,7 +58,7 @@ TEST_F(HelpersTest, DrawWhatOneLeftThatWasKilled) {
 
 TEST_F(HelpersTest, DrawAllThoughAllHelpersWereKilled) {
     testing::internal::CaptureStderr();
-    Helpers helpers(3, [&](long frame, const std::vector<Points>& positions) {
+    Helpers helpers(3, one_mass, [&](long frame, const std::vector<Points>& positions) {
         if (::getpid() != parent) std::raise(SIGKILL);
         draw(frame, positions);
     });
@@ -66,24 +68,48 @@ TEST_F(HelpersTest, DrawAllThoughAllHelpersWereKilled) {
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
+// Frames that are larger than what a socket takes: the helper is at its first until this process has drawn
+// one.
+TEST_F(HelpersTest, DrawWhileThisProcessDrawsToo) {
+    const std::vector<Points> long_rope{Eigen::ArrayXd::LinSpaced(50'000, -1.0, 1.0).replicate(1, 2)};
+    const std::filesystem::path third = temporary.path() / frame_name(2, 100);
+    Helpers helpers(1, long_rope, [&](long frame, const std::vector<Points>& positions) {
+        while (frame == 0 && !std::filesystem::exists(third)) ::usleep(1000);
+        if ((positions[0] != long_rope[0]).any()) throw std::runtime_error("other positions");
+        draw(frame, positions);
+    });
+    EXPECT_TRUE(helpers.take(0, long_rope, 1));
+    EXPECT_TRUE(helpers.take(1, long_rope, 1));
+    EXPECT_FALSE(helpers.take(2, long_rope, 1)) << "it has enough to do";
+    draw(2, long_rope);
+    helpers.finish();
+    EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2));
+}
+
+TEST_F(HelpersTest, DrawNoFrameOfMoreMassesThanTheyWereMadeFor) {
+    Helpers helpers(1, one_mass, [&](long frame, const auto& positions) { draw(frame, positions); });
+    EXPECT_FALSE(helpers.take(0, {Points::Zero(2, 2)}, 1));
+    EXPECT_TRUE(helpers.take(1, one_mass, 1));
+    helpers.finish();
+    EXPECT_THAT(frames_in(temporary.path()), ElementsAre(1));
+}
+
 TEST_F(HelpersTest, FailWithTheReasonOfOneThatFailed) {
     testing::internal::CaptureStderr();
-    Helpers helpers(2,
+    Helpers helpers(2, one_mass,
                     [&](long, const std::vector<Points>&) { throw std::runtime_error("the disk is full"); });
-    const std::vector<Points> positions{Points::Zero(1, 2)};
-    EXPECT_TRUE(helpers.take(0, positions, 2));
+    EXPECT_TRUE(helpers.take(0, one_mass, 2));
     EXPECT_THAT([&] { helpers.finish(); }, ThrowsMessage<std::runtime_error>("the disk is full"));
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it is said once, by who asked";
 }
 
 TEST_F(HelpersTest, FailWithTheReasonOfOneThatFailedLater) {
-    Helpers helpers(1, [&](long frame, const std::vector<Points>& positions) {
+    Helpers helpers(1, one_mass, [&](long frame, const std::vector<Points>& positions) {
         if (frame == 5) throw std::bad_alloc();
         draw(frame, positions);
     });
-    const std::vector<Points> positions{Points::Zero(1, 2)};
     const auto draw_until_it_fails = [&] {
-        for (long frame = 0;;) frame += helpers.take(frame, positions, 1);
+        for (long frame = 0;;) frame += helpers.take(frame, one_mass, 1);
     };
     EXPECT_THAT(draw_until_it_fails, ThrowsMessage<std::runtime_error>("out of memory"));
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4));
@@ -93,8 +119,8 @@ TEST_F(HelpersTest, FailForWantOfMemoryWhereNoExceptionMayPass) {
     testing::internal::CaptureStderr();
     const std::function<void()> fail = [] { throw std::bad_alloc(); };
     const auto fail_without_passing_it_on = [&]() noexcept { fail(); };
-    Helpers helpers(1, [&](long, const std::vector<Points>&) { fail_without_passing_it_on(); });
-    EXPECT_TRUE(helpers.take(0, {Points::Zero(1, 2)}, 1));
+    Helpers helpers(1, one_mass, [&](long, const std::vector<Points>&) { fail_without_passing_it_on(); });
+    EXPECT_TRUE(helpers.take(0, one_mass, 1));
     EXPECT_THAT([&] { helpers.finish(); }, ThrowsMessage<std::runtime_error>("out of memory"));
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -63,6 +64,7 @@ class Stages {
         : opening_(moves(leaps.opening) ? 1 : 0),
           count_(static_cast<long>(leaps.count)),
           size_(opening_ + count_ * leaps.steps) {
+        assert(count_ > 0 && (leaps.opening.kick == 0.0 || leaps.leaps[leaps.count - 1].kick != 0.0));
         for (std::size_t i = 0; i < leaps.count; ++i) of_step_[i] = {leaps.leaps[i], {}};
         last_ = of_step_[leaps.count - 1];
         of_step_[leaps.count - 1] = {last_.first, leaps.opening};
@@ -285,6 +287,7 @@ int fields(const Leaps& leaps) {
 }
 
 void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions, Cost& cost) {
+    assert(bundle.ropes() == 1 || bundle.ropes() == lanes(instructions));
     cost.evaluations += evaluations(leaps);
     if (damps(leaps)) return leap<Sums::damped>(leaps, bundle, instructions);
     if (!leaps.compensated) return leap<Sums::plain>(leaps, bundle, instructions);

@@ -4,6 +4,8 @@
 #include "simulation/instruction_set.h"
 
 #include <array>
+#include <cassert>
+#include <cstddef>
 
 namespace ropesim {
 
@@ -23,7 +25,8 @@ struct Leap {
 };
 
 // The steps of a splitting method: each is `opening`, which goes by the acceleration that the step before
-// ended with, and then the leaps. Velocities are those of the state times `velocity_unit`.
+// ended with, and then the leaps, one at least. Where the opening kicks, so does the last of them.
+// Velocities are those of the state times `velocity_unit`.
 struct Leaps {
     static constexpr std::size_t most = 15;
 
@@ -38,14 +41,18 @@ struct Leaps {
     // of a method are that small, and where nothing is damped.
     bool compensated = false;
 
-    void add(const Leap& leap) { leaps[count++] = leap; }
+    void add(const Leap& leap) {
+        assert(count < most);
+        leaps[count++] = leap;
+    }
 };
 using LeapsOf = Leaps(const Rope& rope, const Stepping& stepping);
 
 // Fields that a bundle needs for them.
 int fields(const Leaps& leaps);
 
-// Advances the ropes of a bundle, of that many fields, by all steps. Adds to the cost what each rope costs.
+// Advances the ropes of a bundle, of that many fields, by all steps: one rope, or as many as these
+// instructions have lanes. Adds to the cost what each rope costs.
 void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions, Cost& cost);
 
 // The same for one rope.

@@ -7,6 +7,7 @@
 #include "simulation/link_impulses.h"
 #include "simulation/rope.h"
 
+#include <compare>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,7 @@ struct Stepping {
     double damping_factor = 0.0;  // share of its velocity that a mass loses in each step (the seed's damping)
     int sweeps = 1;               // over the links in each step, where a method sweeps
 
-    bool operator==(const Stepping&) const = default;
+    auto operator<=>(const Stepping&) const = default;
 };
 
 // The stepping that divides a frame into equal steps.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "simulation/bundle.h"
+#include "simulation/leaps.h"
 #include "simulation/simulate.h"
 
 #include <cstddef>
@@ -26,7 +27,6 @@ class MovingRopes {
         Bundle bundle;
         Leaps leaps{};
     };
-    void put_side_by_side(std::size_t rope);
     void put_states(SideBySide& side_by_side) const;
     void advance(SideBySide& side_by_side);
 

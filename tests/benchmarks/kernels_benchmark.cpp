@@ -7,6 +7,7 @@
 #include "benchmarks/seed_style.h"
 #include "simulation/block_tridiagonal.h"
 #include "simulation/lanes.h"
+#include "simulation/links.h"
 #include "simulation/moving_ropes.h"
 
 #include <array>
@@ -129,8 +130,7 @@ void measure_chain() {
         double v = 0.0;
         for (int i = 0; i < links; ++i) {
             const double d = 4.0 - x;
-            const double squared = d * d + 2.0;
-            const double length = std::sqrt(squared < 1e-200 ? 1e-200 : squared);
+            const double length = std::sqrt(d * d + 2.0 + shortest_squared);
             const double force = 100.0 * (1.0 - 3.5 / length) * d;
             v = v + 0.01 * (0.5 * (force - 1.0) + 0.25);
             x = x + 0.01 * v;

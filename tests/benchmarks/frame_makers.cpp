@@ -1,6 +1,7 @@
 #include "benchmarks/frame_makers.h"
 
 #include "clip/file.h"
+#include "clip/frames.h"
 #include "clip/manifest.h"
 #include "clip/picture.h"
 #include "image/frame_encoder.h"
@@ -110,21 +111,21 @@ void measure(double& time, const Run& run) {
 
 }  // namespace
 
-MakeFrame by_ropesim(const Scene& scene, const Positions& motion) {
+MakeFrame by_ropesim(const Scene& scene) {
     const std::shared_ptr<Renderer> renderer = make_renderer(scene);
     const auto encoder = std::make_shared<FrameEncoder>(scene.size[0], scene.size[1]);
     const auto texts = std::make_shared<Texts>(frame_texts(scene, ""));
-    return [=, &scene, &motion](long frame, const std::filesystem::path& path) {
+    return [=, &scene](long frame, const std::vector<Points>& positions, const std::filesystem::path& path) {
         set_frame(*texts, frame);
-        const Image& image = renderer->draw(polylines(scene, motion.at(frame)));
+        const Image& image = renderer->draw(polylines(scene, positions));
         write_file(path, encoder->encode(image, renderer->inked(), renderer->changed(), *texts));
     };
 }
 
-MakeFrame by_libpng(const Scene& scene, const Positions& motion) {
+MakeFrame by_libpng(const Scene& scene) {
     const std::shared_ptr<Renderer> renderer = make_renderer(scene);
-    return [=, &scene, &motion](long frame, const std::filesystem::path& path) {
-        write_by_libpng(renderer->draw(polylines(scene, motion.at(frame))), path);
+    return [=, &scene](long, const std::vector<Points>& positions, const std::filesystem::path& path) {
+        write_by_libpng(renderer->draw(polylines(scene, positions)), path);
     };
 }
 
@@ -135,13 +136,13 @@ std::size_t size_by_libpng(const Image& image) {
     return size;
 }
 
-MakeFrame by_cairo(const Scene& scene, const Positions& motion) {
+MakeFrame by_cairo(const Scene& scene) {
     cairo_surface_t* const surface =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, scene.size[0], scene.size[1]);
     const std::shared_ptr<cairo_t> cairo(cairo_create(surface), cairo_destroy);
     cairo_surface_destroy(surface);  // the context keeps it
-    return [=, &scene, &motion](long frame, const std::filesystem::path& path) {
-        draw(cairo.get(), scene, motion.at(frame));
+    return [=, &scene](long, const std::vector<Points>& positions, const std::filesystem::path& path) {
+        draw(cairo.get(), scene, positions);
         cairo_surface_write_to_png(cairo_get_target(cairo.get()), path.c_str());
     };
 }
@@ -162,6 +163,7 @@ Stages stages(const Scene& scene, const Positions& motion, const std::filesystem
     // OpenGL has done all when a pixel is read.
     const auto finish = [&] { framebuffer.read({0, 0, 1, 1}); };
 
+    const auto frames = static_cast<long>(motion.size());
     Stages times;
     const auto make_frame = [&](long frame) {
         const std::vector<Polyline> lines = polylines(scene, motion.at(frame));
@@ -170,7 +172,7 @@ Stages stages(const Scene& scene, const Positions& motion, const std::filesystem
         measure(times.whole, [&] {
             const Image& drawn = renderer->draw(polylines(scene, motion.at(frame)));
             file = encoder.encode(drawn, renderer->inked(), renderer->changed(), texts);
-            write_file(folder / "whole.png", file);
+            write_file(folder / ("whole" + frame_name(frame, frames)), file);
         });
         context->make_current();
         for (std::size_t first = 0; first < lines.size(); first += Framebuffer::channels) {
@@ -200,15 +202,14 @@ Stages stages(const Scene& scene, const Positions& motion, const std::filesystem
         });
         measure(times.compressing,
                 [&] { encoder.encode(image, renderer->inked(), Tiles(width, height), texts); });
-        measure(times.writing, [&] { write_file(folder / "stage.png", file); });
+        measure(times.writing, [&] { write_file(folder / ("alone" + frame_name(frame, frames)), file); });
     };
-    const auto frames = static_cast<long>(motion.size());
     make_frame(0);
     times = {};
-    for (long frame = 0; frame < frames; ++frame) make_frame(frame);
+    for (long frame = 1; frame < frames; ++frame) make_frame(frame);
     for (double* time : {&times.clearing, &times.drawing, &times.reading, &times.filtering,
                          &times.compressing, &times.writing, &times.whole})
-        *time /= static_cast<double>(frames);
+        *time /= static_cast<double>(frames - 1);
     return times;
 }
 

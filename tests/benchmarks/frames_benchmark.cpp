@@ -7,6 +7,7 @@
 #include "benchmarks/processor.h"
 #include "clip/find_scene.h"
 #include "clip/frames.h"
+#include "clip/helpers.h"
 #include "clip/picture.h"
 #include "clip/process.h"
 #include "clip/run.h"
@@ -48,10 +49,11 @@ double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// A process that makes every `count`th frame from `index` on, for a round whenever it is told to.
+// So many processes, of which one hands frames to the others as in a clip. They make frames for a round
+// whenever they are told to.
 class Worker {
   public:
-    Worker(const Case& of, FrameMaker maker, int index, int count, const std::filesystem::path& folder) {
+    Worker(const Case& of, FrameMaker maker, int processes, const std::filesystem::path& folder) {
         std::array<int, 2> to{}, from{};
         if (::pipe(to.data()) != 0 || ::pipe(from.data()) != 0)
             throw std::runtime_error("cannot make a pipe");
@@ -60,7 +62,7 @@ class Worker {
         if (process_ < 0) throw std::runtime_error("cannot start a process");
         if (process_ == 0) {
             ::close(to[1]);
-            work(of, maker, index, count, folder, to[0], from[1]);
+            work(of, maker, processes, folder, to[0], from[1]);
         }
         ::close(to[0]);
         ::close(from[1]);
@@ -78,12 +80,14 @@ class Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    void begin_round() const {
+    // Frames per second in a round.
+    double round() const {
         const char go = 1;
         if (::write(to_, &go, 1) != 1) throw std::runtime_error("a process has ended");
+        return result();
     }
 
-    // Frames per second in the round.
+  private:
     double result() const {
         double rate = 0.0;
         if (::read(from_, &rate, sizeof rate) != sizeof rate)
@@ -91,31 +95,44 @@ class Worker {
         return rate;
     }
 
-  private:
-    [[noreturn]] static void work(const Case& of, FrameMaker maker, int index, int count,
+    [[noreturn]] static void work(const Case& of, FrameMaker maker, int processes,
                                   const std::filesystem::path& folder, int from, int to) {
         try {
-            const MakeFrame make_frame = maker(of.scene, of.motion);
-            const auto frames = static_cast<long>(of.motion.size());
-            long frame = index;
-            const auto make_next = [&] {  // always a new file, as in a new clip
-                make_frame(frame % frames,
-                           folder / (std::to_string(::getpid()) + frame_name(frame, 1'000'000)));
-                frame += count;
-            };
-            make_next();
-            double rate = 0.0;
-            for (char go = 0;
-                 ::write(to, &rate, sizeof rate) == sizeof rate && ::read(from, &go, 1) == 1 && go == 1;) {
-                const double begin = seconds();
-                int made = 0;
-                for (; made < 2 || seconds() - begin < round_seconds; ++made) make_next();
-                rate = made / (seconds() - begin);
-            }
+            make_rounds(of, maker, processes, folder, from, to);
             ::_exit(0);
         } catch (const std::exception& error) {
             std::fprintf(stderr, "frames_benchmark: %s\n", error.what());
             ::_exit(1);
+        }
+    }
+
+    static void make_rounds(const Case& of, FrameMaker maker, int processes,
+                            const std::filesystem::path& folder, int from, int to) {
+        const auto frames = static_cast<long>(of.motion.size());
+        const std::string name = std::to_string(::getpid());
+        MakeFrame make_frame;  // each process makes its own
+        const auto draw = [&](long frame, const std::vector<Points>& positions) {
+            if (!make_frame) make_frame = maker(of.scene);
+            // Always a new file, as in a new clip.
+            make_frame(frame % frames, positions, folder / (name + frame_name(frame, 1'000'000)));
+        };
+        Helpers helpers(processes - 1, of.motion.at(0), draw);
+        long frame = 0;
+        const auto make_next = [&] {
+            const std::vector<Points>& positions = of.motion.at(frame % frames);
+            if (!helpers.take(frame, positions, helpers.count())) draw(frame, positions);
+            ++frame;
+        };
+        while (!make_frame) make_next();
+        helpers.finish();
+        double rate = 0.0;
+        for (char go = 0;
+             ::write(to, &rate, sizeof rate) == sizeof rate && ::read(from, &go, 1) == 1 && go == 1;) {
+            const double begin = seconds();
+            int made = 0;
+            for (; made < 2 * processes || seconds() - begin < round_seconds; ++made) make_next();
+            helpers.finish();
+            rate = made / (seconds() - begin);
         }
     }
 
@@ -128,7 +145,7 @@ struct Contestant {
     const char* name;
     FrameMaker maker;
     int processes;
-    std::vector<std::unique_ptr<Worker>> workers;
+    std::unique_ptr<Worker> worker;
     std::vector<double> rates;  // frames per second, one number a round
 
     double rate() {
@@ -152,15 +169,9 @@ std::vector<Contestant> contestants() {
 void race(const Case& of, const std::filesystem::path& folder, const char* disk) {
     std::vector<Contestant> all = contestants();
     for (Contestant& each : all)
-        for (int i = 0; i < each.processes; ++i)
-            each.workers.push_back(std::make_unique<Worker>(of, each.maker, i, each.processes, folder));
+        each.worker = std::make_unique<Worker>(of, each.maker, each.processes, folder);
     for (int round = 0; round < rounds; ++round)
-        for (Contestant& each : all) {
-            for (const auto& worker : each.workers) worker->begin_round();
-            double rate = 0.0;
-            for (const auto& worker : each.workers) rate += worker->result();
-            each.rates.push_back(rate);
-        }
+        for (Contestant& each : all) each.rates.push_back(each.worker->round());
     const double baseline = all.front().rate();
     std::printf("%s, to %s\n", of.name.c_str(), disk);
     for (Contestant& each : all)
@@ -171,7 +182,12 @@ void race(const Case& of, const std::filesystem::path& folder, const char* disk)
 
 void print_stages(const Case& of, const std::filesystem::path& folder, const char* disk) {
     std::vector<Stages> all;
-    for (int round = 0; round < rounds; ++round) all.push_back(stages(of.scene, of.motion, folder));
+    for (int round = 0; round < rounds; ++round) {
+        // New files each time: to replace one takes longer.
+        const std::filesystem::path own = folder / ("stages" + std::to_string(round));
+        std::filesystem::create_directory(own);
+        all.push_back(stages(of.scene, of.motion, own));
+    }
     std::ranges::sort(all, {}, &Stages::sum);
     const Stages& median = all[all.size() / 2];
     std::printf("%s, to %s, one process; microseconds of each part alone:\n", of.name.c_str(), disk);

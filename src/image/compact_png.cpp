@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace ropesim {
 
@@ -94,10 +95,12 @@ std::vector<std::uint8_t> zlib_stream(std::span<const std::uint8_t> bytes) {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(strongest_level), libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
-    std::vector<std::uint8_t> stream(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
-    stream.resize(
-        libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), stream.data(), stream.size()));
-    return stream;
+    const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), bytes.size());
+    // Not a vector, whose zeros would be memory taken: most of it is never written.
+    const auto stream = std::make_unique_for_overwrite<std::uint8_t[]>(most);
+    const std::size_t size =
+        libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), stream.get(), most);
+    return {stream.get(), stream.get() + size};
 }
 
 }  // namespace

@@ -6,12 +6,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -67,6 +69,19 @@ std::string unknown_command(const std::string& command) {
                             : "did you mean '" + nearest + "'?");
 }
 
+// What CLI11 says in general, in the words of the command.
+std::string explained(const CLI::ParseError& error, const CLI::App& command) {
+    constexpr std::string_view no_conversion = "Could not convert: ";
+    const std::string words = error.what();
+    if (words.starts_with(no_conversion))
+        return words.substr(no_conversion.size()) + ": no number that this option takes";
+    if (words != "A subcommand is required") return words;
+    std::string known;
+    for (const CLI::App* each : command.get_subcommands({}))
+        known += (known.empty() ? "" : ", ") + each->get_name();
+    return command.get_name() + " what? expected one of " + known;
+}
+
 // CLI11 takes the arguments from the back.
 std::vector<std::string> reversed_arguments(int count, char** values) {
     std::vector<std::string> arguments(values + 1, values + count);
@@ -116,21 +131,21 @@ int run(int count, char** values) {
         refuse_empty_values(*command);
     }
     std::vector<std::string> arguments = reversed_arguments(count, values);
-    std::string see = "ropesim --help";
+    const CLI::App* asked = &app;
     try {
         const auto row = std::find_if(rows.begin(), rows.end(),
                                       [&](const Row& each) { return arguments.back() == each.name; });
         if (row != rows.end())
-            see = "ropesim " + std::string(row->name) + " --help";
+            asked = app.get_subcommand(row->name);
         else if (!is_global_option(arguments.back()))
             throw CLI::ValidationError(unknown_command(arguments.back()));
         app.parse(arguments);
-        return interruptible(*app.get_subcommand(row->name),
-                             commands[static_cast<std::size_t>(row - rows.begin())]);
+        return interruptible(*asked, commands[static_cast<std::size_t>(row - rows.begin())]);
     } catch (const CLI::Success& help_or_version) {
         return app.exit(help_or_version);
     } catch (const CLI::ParseError& error) {
-        complain(std::string(error.what()) + " (see " + see + ")");
+        const std::string command = asked == &app ? "" : ' ' + asked->get_name();
+        complain(explained(error, *asked) + " (see ropesim" + command + " --help)");
         return wrong_usage;
     }
 }

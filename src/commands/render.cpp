@@ -75,11 +75,16 @@ void add_options(CLI::App& app, RenderOptions& options) {
 void set_size(Scene& scene, const std::string& text) {
     if (text.empty()) return;
     int read = 0;
+    const bool plain = text.find_first_not_of("0123456789x") == std::string::npos;
     // NOLINTNEXTLINE(cert-err34-c): seven digits fit, and an end elsewhere is told by the count read
-    if (std::sscanf(text.c_str(), "%7dx%7d%n", &scene.size[0], &scene.size[1], &read) != 2 ||
+    if (!plain || std::sscanf(text.c_str(), "%7dx%7d%n", &scene.size[0], &scene.size[1], &read) != 2 ||
         static_cast<std::size_t>(read) != text.size())
         throw CLI::ValidationError("--size", "'" + text + "' is no size; expected WxH, such as 1280x720");
-    check_scene(scene);
+    try {
+        check_scene(scene);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string("--size: ") + error.what());
+    }
 }
 
 void warn(bool quiet, const std::string& sentence) {

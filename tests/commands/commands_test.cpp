@@ -170,6 +170,9 @@ TEST_F(CommandLine, RefusesWrongUsageWithStatus2) {
     expect_failure({"-s", "many"}, 2, "many");
     expect_failure({"-g", "1"}, 2, "--gravity");
     expect_failure({"--size", "12"}, 2, "--size: '12' is no size; expected WxH, such as 1280x720");
+    expect_failure({"--size", " 12x+7"}, 2, "--size: ' 12x+7' is no size; expected WxH, such as 1280x720");
+    expect_failure({"study", "work-precison"}, 2, "study what? expected one of work-precision, stability");
+    expect_failure({"plan", "--tolerance", "abc"}, 2, "--tolerance = abc: no number that this option takes");
     expect_failure({"--frames", "9:3"}, 2, "--frames: frames '9:3'");
     expect_failure({"--frames", "120"}, 2, "past the end of the clip; it has frames 0 to 119");
     expect_failure({"--shard", "3/3"}, 2, "--shard: shard '3/3'");
@@ -193,7 +196,7 @@ TEST_F(CommandLine, RefusesBadInputWithStatus1) {
     expect_failure({"-m", "-1"}, 1, "mass");
     expect_failure({"-g", "nan", "0"}, 1, "gravity");
     expect_failure({"--nodes", "1"}, 1, "nodes");
-    expect_failure({"--size", "100000x4"}, 1, "size");
+    expect_failure({"--size", "100000x4"}, 1, "--size: size is 100000, expected 1 to 16384");
     expect_failure({"--positions", "none.csv"}, 1, "none.csv: cannot open: No such file or directory");
     expect_failure({"simulate", "--method", "simplectic_euler"}, 1, "simplectic_euler");
     expect_failure({"-o", "missing/frames"}, 1,

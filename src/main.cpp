@@ -107,7 +107,7 @@ void set_up(CLI::App& app) {
     app.require_subcommand(1);
     app.footer(
         "Without a command: as 'ropesim render'. Each command has a --help of its own.\n"
-        "Example: ropesim render bridge -o bridge --jobs 2");
+        "Example: ropesim render bridge -o bridge");
 }
 
 int interruptible(const CLI::App& app, const Command& command) {

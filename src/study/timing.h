@@ -21,7 +21,7 @@ Times quartiles(std::vector<double> seconds);
 
 // How long each task takes. All take turns, so that whatever slows the machine for a while slows all alike.
 // In a turn a task is repeated for as long as the clock needs. `estimates` are how long each took when it was
-// run once, seconds; for a slow task that counts as a turn, and it has few others. `turn_done` is called
+// run once, seconds; for a slow task that counts as a turn, and it has one other. `turn_done` is called
 // after each turn of each task; turns(estimates) is how many there are.
 std::vector<Times> times_of(const std::vector<std::function<void()>>& tasks,
                             const std::vector<double>& estimates, const std::function<void()>& turn_done);

@@ -72,7 +72,7 @@ std::string unknown_command(const std::string& command) {
 // What CLI11 says in general, in the words of the command.
 std::string explained(const CLI::ParseError& error, const CLI::App& command) {
     constexpr std::string_view no_conversion = "Could not convert: ";
-    const std::string words = error.what();
+    std::string words = error.what();
     if (words.starts_with(no_conversion))
         return words.substr(no_conversion.size()) + ": no number that this option takes";
     if (words != "A subcommand is required") return words;

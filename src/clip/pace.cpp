@@ -3,13 +3,26 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
 
 namespace ropesim {
 
 int processors() {
     cpu_set_t set;
     if (::sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-    return CPU_COUNT(&set);
+    std::string cpu_max;
+    std::getline(std::ifstream("/sys/fs/cgroup/cpu.max"), cpu_max);
+    return std::min(CPU_COUNT(&set), granted_processors(cpu_max).value_or(CPU_COUNT(&set)));
+}
+
+std::optional<int> granted_processors(const std::string& cpu_max) {
+    std::istringstream words(cpu_max);
+    double quota = 0.0;
+    double period = 0.0;
+    if (!(words >> quota >> period) || quota <= 0.0 || period <= 0.0) return std::nullopt;
+    return static_cast<int>(std::min(1e6, std::ceil(quota / period)));
 }
 
 void Pace::add_frame(double seconds) {

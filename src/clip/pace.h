@@ -1,9 +1,17 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 namespace ropesim {
 
-// How many processes this one and its children can run on at once.
+// How many processors this process and its children can run on at once: those that it is bound to, or fewer
+// where a container grants it less of their time (cgroup v2).
 int processors();
+
+// How many processors' time a cgroup grants by its cpu.max, rounded up, such as 2 for "150000 100000"; none
+// where it sets no limit ("max 100000").
+std::optional<int> granted_processors(const std::string& cpu_max);
 
 // What frames cost here, as they are drawn: says how many helpers make the rest of a clip faster.
 class Pace {

@@ -1,4 +1,5 @@
 #include "clip/manifest.h"
+#include "clip/pace.h"
 #include "clip/picture.h"
 #include "clip/process.h"
 #include "commands/commands.h"
@@ -11,7 +12,6 @@
 
 #include <cstdio>
 #include <string>
-#include <thread>
 
 namespace ropesim {
 namespace {
@@ -54,7 +54,7 @@ int report() {
     line("version", version());
     line("libraries", libraries());
     line("renderer", renderer());
-    line("processors", std::to_string(std::thread::hardware_concurrency()));
+    line("processors", std::to_string(processors()));
     line("instructions", instruction_set());
     line("ffmpeg", presence("ffmpeg", "--video needs it"));
     line("gnuplot", presence("gnuplot", "charts need it"));

@@ -113,7 +113,7 @@ struct Edge {
 template <int width, Layout layout>
 class Loops {
   public:
-    // Over the masses where they are in the bundle.
+    // Over the masses where they are in the bundle, whose links it measures for the first loop.
     explicit Loops(Bundle& bundle)
         : spring_(bundle),
           links_((bundle.masses() - 1) * (side_by_side ? width : 1)),

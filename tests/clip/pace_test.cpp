@@ -27,5 +27,13 @@ TEST(Pace, IsThatOfAProcessor) {
     EXPECT_GE(processors(), 1);
 }
 
+TEST(Pace, IsNoFasterThanWhatAContainerGrants) {
+    EXPECT_EQ(granted_processors("200000 100000"), 2);
+    EXPECT_EQ(granted_processors("150000 100000"), 2);
+    EXPECT_EQ(granted_processors("5000 100000"), 1);
+    for (const char* none : {"max 100000", "", "200000", "0 100000", "200000 0", "-1 100000", "a b"})
+        EXPECT_EQ(granted_processors(none), std::nullopt) << none;
+}
+
 }  // namespace
 }  // namespace ropesim

@@ -127,7 +127,8 @@ class Helpers::Slots {
 
     static std::size_t size_of(const std::vector<Points>& positions) {
         std::size_t size = 0;
-        for (const Points& points : positions) size += sizeof(Eigen::Index) + size_of(points);
+        for (const Points& points : positions)
+            size += sizeof(Eigen::Index) + coordinates(points).size_bytes();
         return size;
     }
 
@@ -137,28 +138,30 @@ class Helpers::Slots {
         std::byte* to = memory_ + slot * slot_size_;
         for (const Points& points : positions) {
             const Eigen::Index masses = points.rows();
-            std::memcpy(to, &masses, sizeof masses);
-            std::memcpy(to + sizeof masses, points.data(), size_of(points));
-            to += sizeof masses + size_of(points);
+            to = std::ranges::copy(std::as_bytes(std::span(&masses, 1)), to).out;
+            to = std::ranges::copy(std::as_bytes(coordinates(points)), to).out;
         }
     }
 
     std::vector<Points> positions(std::size_t slot, std::size_t ropes) const {
         const std::byte* from = memory_ + slot * slot_size_;
+        const auto take = [&from](std::span<std::byte> bytes) {
+            std::copy_n(from, bytes.size(), bytes.begin());
+            from += bytes.size();
+        };
         std::vector<Points> positions(ropes);
         for (Points& points : positions) {
             Eigen::Index masses = 0;
-            std::memcpy(&masses, from, sizeof masses);
+            take(std::as_writable_bytes(std::span(&masses, 1)));
             points.resize(masses, 2);
-            std::memcpy(points.data(), from + sizeof masses, size_of(points));
-            from += sizeof masses + size_of(points);
+            take(std::as_writable_bytes(std::span(points.data(), static_cast<std::size_t>(points.size()))));
         }
         return positions;
     }
 
   private:
-    static std::size_t size_of(const Points& points) {
-        return static_cast<std::size_t>(points.size()) * sizeof(double);
+    static std::span<const double> coordinates(const Points& points) {
+        return {points.data(), static_cast<std::size_t>(points.size())};
     }
 
     std::size_t slot_size_;

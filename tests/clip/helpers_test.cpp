@@ -68,20 +68,22 @@ TEST_F(HelpersTest, DrawAllThoughAllHelpersWereKilled) {
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
-// Frames that are larger than what a socket takes: the helper is at its first until this process has drawn
-// one.
+// Frames that are larger than what a socket takes, and a rope that is not in them any more. The helper is at
+// its first frame until this process has drawn one.
 TEST_F(HelpersTest, DrawWhileThisProcessDrawsToo) {
-    const std::vector<Points> long_rope{Eigen::ArrayXd::LinSpaced(50'000, -1.0, 1.0).replicate(1, 2)};
+    const std::vector<Points> ropes{Eigen::ArrayXd::LinSpaced(50'000, -1.0, 1.0).replicate(1, 2),
+                                    Points(0, 2)};
     const std::filesystem::path third = temporary.path() / frame_name(2, 100);
-    Helpers helpers(1, long_rope, [&](long frame, const std::vector<Points>& positions) {
+    Helpers helpers(1, ropes, [&](long frame, const std::vector<Points>& positions) {
         while (frame == 0 && !std::filesystem::exists(third)) ::usleep(1000);
-        if ((positions[0] != long_rope[0]).any()) throw std::runtime_error("other positions");
+        if (positions.size() != 2 || (positions[0] != ropes[0]).any() || positions[1].rows() != 0)
+            throw std::runtime_error("other positions");
         draw(frame, positions);
     });
-    EXPECT_TRUE(helpers.take(0, long_rope, 1));
-    EXPECT_TRUE(helpers.take(1, long_rope, 1));
-    EXPECT_FALSE(helpers.take(2, long_rope, 1)) << "it has enough to do";
-    draw(2, long_rope);
+    EXPECT_TRUE(helpers.take(0, ropes, 1));
+    EXPECT_TRUE(helpers.take(1, ropes, 1));
+    EXPECT_FALSE(helpers.take(2, ropes, 1)) << "it has enough to do";
+    draw(2, ropes);
     helpers.finish();
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2));
 }

@@ -74,7 +74,7 @@ std::string explained(const CLI::ParseError& error, const CLI::App& command) {
     constexpr std::string_view no_conversion = "Could not convert: ";
     std::string words = error.what();
     if (words.starts_with(no_conversion))
-        return words.substr(no_conversion.size()) + ": no number that this option takes";
+        return words.substr(no_conversion.size()) + ": not what this option takes";
     if (words != "A subcommand is required") return words;
     std::string known;
     for (const CLI::App* each : command.get_subcommands({}))
@@ -144,7 +144,8 @@ int run(int count, char** values) {
     } catch (const CLI::Success& help_or_version) {
         return app.exit(help_or_version);
     } catch (const CLI::ParseError& error) {
-        const std::string command = asked == &app ? "" : ' ' + asked->get_name();
+        std::string command = asked == &app ? "" : ' ' + asked->get_name();
+        for (const CLI::App* below : asked->get_subcommands()) command += ' ' + below->get_name();
         complain(explained(error, *asked) + " (see ropesim" + command + " --help)");
         return wrong_usage;
     }

@@ -118,7 +118,7 @@ class Helpers::Slots {
         : slot_size_(slot_size), bytes_(std::max<std::size_t>(1, most_frames * slot_size)) {
         void* const memory = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
                                     MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-        if (memory == MAP_FAILED) throw_cannot_start(errno);
+        if (memory == MAP_FAILED) throw std::bad_alloc();
         memory_ = static_cast<std::byte*>(memory);
     }
     ~Slots() { ::munmap(memory_, bytes_); }
@@ -215,7 +215,10 @@ void Helpers::start(std::size_t slot_size) {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw_cannot_start(errno);
     const pid_t process = ::fork();
     if (process == 0) {
-        for (const Helper& other : helpers_) ::close(other.socket);
+        for (Helper& other : helpers_) {
+            ::close(other.socket);
+            other.slots.reset();
+        }
         ::close(ends[0]);
         help(ends[1], *slots, draw_);
     }

@@ -2,6 +2,7 @@
 
 #include "clip/file.h"
 #include "clip/manifest.h"
+#include "clip/pace.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
 
@@ -11,7 +12,6 @@
 #include <future>
 #include <set>
 #include <stdexcept>
-#include <thread>
 
 namespace ropesim {
 namespace {
@@ -176,7 +176,7 @@ void compare_frames(Comparison& comparison) {
         }
     };
     std::vector<std::future<void>> workers;
-    const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
+    const auto most = static_cast<std::size_t>(processors());
     for (std::size_t i = 0; i < std::min(most, comparison.frames.size()); ++i)
         workers.push_back(std::async(std::launch::async, work));
     for (std::future<void>& worker : workers) worker.get();

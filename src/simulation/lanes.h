@@ -9,8 +9,8 @@
 namespace ropesim {
 
 // `width` doubles that one instruction computes, in the compiler's own notation (vector extensions of GCC and
-// Clang): + - * / < and ?: work lane by lane, a double among them stands for itself in every lane, and [] is
-// one of them.
+// Clang): + - * / < and ?: work lane by lane, a double among them stands for itself in every lane, and [i] is
+// lane i.
 template <int width>
 struct LanesOf {
     typedef double type __attribute__((vector_size(width * sizeof(double))));

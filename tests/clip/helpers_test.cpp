@@ -52,8 +52,10 @@ TEST_F(HelpersTest, DrawWhatOneLeftThatWasKilled) {
     EXPECT_TRUE(helpers.any_died());
     EXPECT_EQ(helpers.count(), 1) << "the other goes on";
     EXPECT_THAT(frames_in(temporary.path()), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
-    const auto bytes = read_file(temporary.path() / "frame_0001.png");
-    EXPECT_EQ(std::string(bytes.begin(), bytes.end()), std::to_string(1.0));
+    for (long frame = 0; frame < 8; ++frame) {
+        const auto bytes = read_file(temporary.path() / frame_name(frame, 100));
+        EXPECT_EQ(std::string(bytes.begin(), bytes.end()), std::to_string(static_cast<double>(frame)));
+    }
 }
 
 TEST_F(HelpersTest, DrawAllThoughAllHelpersWereKilled) {

@@ -172,7 +172,7 @@ TEST_F(CommandLine, RefusesWrongUsageWithStatus2) {
     expect_failure({"--size", "12"}, 2, "--size: '12' is no size; expected WxH, such as 1280x720");
     expect_failure({"--size", " 12x+7"}, 2, "--size: ' 12x+7' is no size; expected WxH, such as 1280x720");
     expect_failure({"study", "work-precison"}, 2, "study what? expected one of work-precision, stability");
-    expect_failure({"plan", "--tolerance", "abc"}, 2, "--tolerance = abc: no number that this option takes");
+    expect_failure({"plan", "--tolerance", "abc"}, 2, "--tolerance = abc: not what this option takes");
     expect_failure({"--frames", "9:3"}, 2, "--frames: frames '9:3'");
     expect_failure({"--frames", "120"}, 2, "past the end of the clip; it has frames 0 to 119");
     expect_failure({"--shard", "3/3"}, 2, "--shard: shard '3/3'");

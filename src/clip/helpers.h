@@ -34,7 +34,8 @@ class Helpers {
     bool any_died() const { return any_died_; }
 
     // Has the frame drawn by the one of the first `most` helpers that has the least to do; false where all
-    // have enough to do, or there are more masses than they were made for. Throws std::runtime_error where a helper has failed, with what it says.
+    // have enough to do, or there are more masses than they were made for. Throws std::runtime_error where a
+    // helper has failed, with what it says.
     bool take(long frame, const std::vector<Points>& positions, int most);
 
     // How many frames were drawn since this was last asked.

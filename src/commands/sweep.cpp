@@ -221,7 +221,8 @@ void run_points(const SweepOptions& options, const PointWorker& worker, const Sh
     const Interrupts interrupts;
     const auto work = [&](long point) { worker.work(point); };
     const auto jobs = std::min<long>(options.jobs, std::max<long>(1, static_cast<long>(left.size())));
-    Helpers helpers(static_cast<int>(jobs) - 1, /*positions=*/{}, [&](long point, const auto&) { work(point); });
+    Helpers helpers(static_cast<int>(jobs) - 1, /*positions=*/{},
+                    [&](long point, const auto&) { work(point); });
     Progress progress(static_cast<long>(left.size()), "points", !options.quiet);
     for (const long point : left) {
         Interrupts::check();

@@ -33,7 +33,7 @@ struct Ranged {
 // two is split into 2^m ranges. m is 2 for lengths less 3 and 1 for distances less 1.
 constexpr Ranged ranged(std::uint32_t number, int m) {
     if (number < 2U << m) return {number, 0, 0};
-    const int extra_bits = static_cast<int>(std::bit_width(number)) - 1 - m;  // unsigned in libstdc++ 12
+    const int extra_bits = static_cast<int>(std::bit_width(number)) - 1 - m;
     const std::uint32_t leading = number >> extra_bits;  // 2^m to 2^(m+1) - 1
     return {leading + (static_cast<std::uint32_t>(extra_bits) << m), number & ((1U << extra_bits) - 1),
             extra_bits};

@@ -228,7 +228,7 @@ void Helpers::start(std::size_t slot_size) {
         ::close(ends[0]);
         throw_cannot_start(error);
     }
-    helpers_.push_back({process, ends[0], std::move(slots), {}, 0});
+    helpers_.push_back({process, ends[0], std::move(slots), {}});
 }
 
 bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
@@ -238,14 +238,14 @@ bool Helpers::take(long frame, const std::vector<Points>& positions, int most) {
         std::ranges::min_element(asked, {}, [](const Helper& helper) { return helper.undrawn.size(); });
     if (idlest == asked.end() || idlest->undrawn.size() == most_frames) return false;
     if (!idlest->slots->fit(positions)) return false;
-    const Task task{frame, positions.size(), idlest->next_slot};
-    idlest->slots->put(task.slot, positions);
+    const std::size_t slot = idlest->undrawn.empty() ? 0 : (idlest->undrawn.back().slot + 1) % most_frames;
+    const Task task{frame, positions.size(), slot};
+    idlest->slots->put(slot, positions);
     if (!send_all(idlest->socket, std::as_bytes(std::span(&task, 1)))) {
         bury(static_cast<std::size_t>(idlest - asked.begin()), "");
         return false;
     }
     idlest->undrawn.push_back(task);
-    idlest->next_slot = (task.slot + 1) % most_frames;
     return true;
 }
 

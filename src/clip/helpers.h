@@ -58,7 +58,6 @@ class Helpers {
         int socket;  // tasks go there; what is drawn, or why not, comes back
         std::unique_ptr<Slots> slots;
         std::deque<Task> undrawn;
-        std::size_t next_slot;
     };
 
     [[noreturn]] static void help(int socket, const Slots& slots, const DrawFrame& draw) noexcept;

@@ -8,7 +8,7 @@ namespace ropesim {
 // A chain's tridiagonal system, one row per link; scratch for solving it.
 struct LinkSystem {
     Eigen::ArrayXd lower;  // what couples a link to the one before
-    Eigen::ArrayXd pivot;
+    Eigen::ArrayXd diagonal;
     Eigen::ArrayXd upper;  // to the one after
 };
 

@@ -7,8 +7,9 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
-#include <span>
+#include <iterator>
 #include <type_traits>
+#include <vector>
 
 namespace ropesim {
 namespace {
@@ -21,22 +22,16 @@ bool damps(const Leap& leap) {
     return leap.before != 1.0 || leap.after != 1.0 || leap.kept != 1.0;
 }
 
-std::span<const Leap> of_a_step(const Leaps& leaps) {
-    return std::span(leaps.leaps).first(leaps.count);
-}
-
 bool damps(const Leaps& leaps) {
-    const auto each = of_a_step(leaps);
     return damps(leaps.opening) ||
-           std::any_of(each.begin(), each.end(), [](const Leap& leap) { return damps(leap); });
+           std::ranges::any_of(leaps.of_step, [](const Leap& leap) { return damps(leap); });
 }
 
 // Loops that need the accelerations.
 long evaluations(const Leaps& leaps) {
-    const auto each = of_a_step(leaps);
     return (leaps.opening.kick != 0.0 ? 1 : 0) +
            leaps.steps *
-               std::count_if(each.begin(), each.end(), [](const Leap& leap) { return leap.kick != 0.0; });
+               std::ranges::count_if(leaps.of_step, [](const Leap& leap) { return leap.kick != 0.0; });
 }
 
 // What a loop does: where it is known, nothing need be asked for every mass.
@@ -62,13 +57,13 @@ class Stages {
   public:
     explicit Stages(const Leaps& leaps)
         : opening_(moves(leaps.opening) ? 1 : 0),
-          count_(static_cast<long>(leaps.count)),
-          size_(opening_ + count_ * leaps.steps) {
-        assert(count_ > 0 && (leaps.opening.kick == 0.0 || leaps.leaps[leaps.count - 1].kick != 0.0));
-        for (std::size_t i = 0; i < leaps.count; ++i) of_step_[i] = {leaps.leaps[i], {}};
-        last_ = of_step_[leaps.count - 1];
-        of_step_[leaps.count - 1] = {last_.first, leaps.opening};
-        first_ = {leaps.opening, {}};
+          size_(opening_ + std::ssize(leaps.of_step) * leaps.steps),
+          first_{leaps.opening, {}},
+          last_{leaps.of_step.back(), {}} {
+        assert(leaps.opening.kick == 0.0 || last_.first.kick != 0.0);
+        of_step_.reserve(leaps.of_step.size());
+        for (const Leap& leap : leaps.of_step) of_step_.push_back({leap, {}});
+        of_step_.back() = {last_.first, leaps.opening};
     }
 
     long size() const { return size_; }
@@ -76,16 +71,15 @@ class Stages {
     const Stage& operator[](long j) const {
         if (j == 0 && opening_ == 1) return first_;
         if (j == size_ - 1) return last_;
-        return of_step_[static_cast<std::size_t>((j - opening_) % count_)];
+        return of_step_[static_cast<std::size_t>((j - opening_) % std::ssize(of_step_))];
     }
 
   private:
     long opening_;
-    long count_;
     long size_;
     Stage first_;
     Stage last_;
-    std::array<Stage, Leaps::most> of_step_;
+    std::vector<Stage> of_step_;
 };
 
 enum class Sums { plain, damped, compensated };

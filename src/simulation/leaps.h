@@ -3,9 +3,7 @@
 #include "simulation/bundle.h"
 #include "simulation/instruction_set.h"
 
-#include <array>
-#include <cassert>
-#include <cstddef>
+#include <vector>
 
 namespace ropesim {
 
@@ -28,11 +26,8 @@ struct Leap {
 // ended with, and then the leaps, one at least. Where the opening kicks, so does the last of them.
 // Velocities are those of the state times `velocity_unit`.
 struct Leaps {
-    static constexpr std::size_t most = 15;
-
     Leap opening{};  // none where it neither kicks nor drifts
-    std::array<Leap, most> leaps{};
-    std::size_t count = 0;  // of the leaps of a step
+    std::vector<Leap> of_step{};
     long steps = 0;
     double velocity_unit = 1.0;
 
@@ -40,11 +35,6 @@ struct Leaps {
     // summation; Kahan: Further Remarks on Reducing Truncation Errors, Comm. ACM 8, 1965). Where the errors
     // of a method are that small, and where nothing is damped.
     bool compensated = false;
-
-    void add(const Leap& leap) {
-        assert(count < most);
-        leaps[count++] = leap;
-    }
 };
 using LeapsOf = Leaps(const Rope& rope, const Stepping& stepping);
 

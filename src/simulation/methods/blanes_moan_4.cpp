@@ -39,9 +39,9 @@ Leaps blanes_moan_4(const Rope& rope, const Stepping& stepping) {
     Leaps leaps{.opening = {.kick = BlanesMoan4::kicks[0] * h, .drift = six[0].drift},
                 .steps = stepping.steps};
     for (std::size_t i = 0; i < six.size(); ++i)
-        leaps.add({.before = six[i].kept,
-                   .kick = six[i].kick,
-                   .drift = i + 1 < six.size() ? six[i + 1].drift : 0.0});
+        leaps.of_step.push_back({.before = six[i].kept,
+                                 .kick = six[i].kick,
+                                 .drift = i + 1 < six.size() ? six[i + 1].drift : 0.0});
     return leaps;
 }
 

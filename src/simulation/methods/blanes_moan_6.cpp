@@ -37,8 +37,8 @@ Leaps blanes_moan_6(const Rope& rope, const Stepping& stepping) {
     const std::array<Stage, 15> all = stages(stepping.step_size, damping_per_step(rope, stepping));
     Leaps leaps{.opening = {.drift = all[0].drift}, .steps = stepping.steps, .compensated = true};
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
-        leaps.add({.before = all[i].kept, .kick = all[i].kick, .drift = all[i + 1].drift});
-    leaps.leaps[leaps.count - 1].kept = all.back().kept;
+        leaps.of_step.push_back({.before = all[i].kept, .kick = all[i].kick, .drift = all[i + 1].drift});
+    leaps.of_step.back().kept = all.back().kept;
     return leaps;
 }
 

@@ -11,7 +11,7 @@ namespace ropesim {
 Leaps seed_verlet(const Rope& rope, const Stepping& stepping) {
     const double h = stepping.step_size;
     Leaps leaps{.steps = stepping.steps, .velocity_unit = h};
-    leaps.add({.before = velocity_kept(rope, stepping), .kick = h * h, .drift = 1.0});
+    leaps.of_step.push_back({.before = velocity_kept(rope, stepping), .kick = h * h, .drift = 1.0});
     return leaps;
 }
 

@@ -14,7 +14,7 @@ Leaps stormer_verlet(const Rope& rope, const Stepping& stepping) {
     const double h = stepping.step_size;
     const double kept_half = std::sqrt(velocity_kept(rope, stepping));
     Leaps leaps{.opening = {.before = kept_half, .kick = h / 2.0, .drift = h}, .steps = stepping.steps};
-    leaps.add({.kick = h / 2.0, .after = kept_half});
+    leaps.of_step.push_back({.kick = h / 2.0, .after = kept_half});
     return leaps;
 }
 

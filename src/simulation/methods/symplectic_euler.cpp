@@ -9,7 +9,7 @@ namespace ropesim {
 Leaps symplectic_euler(const Rope& rope, const Stepping& stepping) {
     const double h = stepping.step_size;
     Leaps leaps{.steps = stepping.steps};
-    leaps.add({.before = velocity_kept(rope, stepping), .kick = h, .drift = h});
+    leaps.of_step.push_back({.before = velocity_kept(rope, stepping), .kick = h, .drift = h});
     return leaps;
 }
 

@@ -281,7 +281,7 @@ int fields(const Leaps& leaps) {
 }
 
 void leap(const Leaps& leaps, Bundle& bundle, InstructionSet instructions, Cost& cost) {
-    assert(bundle.ropes() == 1 || bundle.ropes() == lanes(instructions));
+    assert(!leaps.of_step.empty() && (bundle.ropes() == 1 || bundle.ropes() == lanes(instructions)));
     cost.evaluations += evaluations(leaps);
     if (damps(leaps)) return leap<Sums::damped>(leaps, bundle, instructions);
     if (!leaps.compensated) return leap<Sums::plain>(leaps, bundle, instructions);

@@ -23,7 +23,7 @@ struct Leap {
 };
 
 // The steps of a splitting method: each is `opening`, which goes by the acceleration that the step before
-// ended with, and then the leaps, one at least. Where the opening kicks, so does the last of them.
+// ended with, and then the leaps `of_step`, one at least. Where the opening kicks, so does the last of them.
 // Velocities are those of the state times `velocity_unit`.
 struct Leaps {
     Leap opening{};  // none where it neither kicks nor drifts

@@ -351,7 +351,7 @@ void run(const std::filesystem::path& on_disk, const std::filesystem::path& in_m
     print_stages(all.front(), on_disk, "disk");
     print_sizes(all.front());
     for (const Case& each : all) race(each, in_memory, "memory");
-    std::puts("(an ext4 is slower while it passes over files that were deleted in the last five minutes)");
+    std::puts("(an ext4 without a journal makes files more slowly for minutes after many were deleted)");
     race(all.front(), on_disk, "disk");
 }
 

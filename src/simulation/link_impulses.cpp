@@ -32,7 +32,8 @@ void fill(const Eigen::ArrayXd& weight, const Points& before, const Points& afte
     lower[0] = upper[links - 1] = 0.0;
 }
 
-// A row that this divides comes to nothing. A call, since a choice would lengthen the chain of divisions.
+// What divides the row of a link whose constraint is not determined: it comes to nothing. A call, since a
+// choice would lengthen the chain of divisions.
 [[gnu::cold, gnu::noinline]] double of_no_impulse() {
     return std::numeric_limits<double>::infinity();
 }

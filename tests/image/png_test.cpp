@@ -107,6 +107,15 @@ TEST(CompactPng, GivesBackEveryPicture) {
     }
 }
 
+TEST(CompactPng, GivesBackPicturesThatAreCompressedInPieces) {
+    const Image detail = noise(1000, 2200, 3);
+    Image image = filled(1000, 2200, {9, 8, 7});
+    for (std::size_t i = 0; i < image.rgb.size(); i += 9973) image.rgb[i] = detail.rgb[i];
+    const Bytes file = encode_compact_png(image, {});
+    EXPECT_TRUE(decode_png(file, "memory") == image);
+    EXPECT_TRUE(read_by_libpng(file) == image);
+}
+
 TEST(CompactPng, IsSmallerThanLibpngs) {
     for (const Color background : {Color{0, 0, 0}, Color{20, 30, 40}}) {
         const Image image = ropes(640, 360, background);

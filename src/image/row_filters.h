@@ -1,0 +1,21 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ropesim {
+
+// The filters of Portable Network Graphics, 2nd edition, 2003, section 9.2: a byte less one that is predicted
+// from those to its left, above it, and above to its left.
+enum class Filter : std::uint8_t { none, sub, up, average, paeth };
+
+// Rows of a picture, each behind the byte that names its filter: all by one; or each by the one that makes it
+// lightest, which is how section 12.8 advises to choose.
+std::vector<std::uint8_t> filtered_rows(const Image& image, int first, int last,
+                                        std::optional<Filter> filter);
+
+}  // namespace ropesim

@@ -74,6 +74,18 @@ std::vector<std::uint8_t> read_all(const std::filesystem::path& path, int file, 
     }
 }
 
+void read_at(const std::filesystem::path& path, int file, std::uint64_t offset,
+             std::span<std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::pread(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail(path, "cannot read");
+        if (count == 0) throw std::runtime_error(path.string() + ": is shorter than it was");
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+        offset += static_cast<std::uint64_t>(count);
+    }
+}
+
 constexpr std::string_view temporary_begin = ".ropesim-";
 constexpr std::string_view temporary_suffix = ".tmp";
 
@@ -130,10 +142,29 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
     }
 }
 
+OpenFile::OpenFile(std::filesystem::path path)
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail(path_, "cannot open");
+}
+
+OpenFile::~OpenFile() {
+    ::close(descriptor_);
+}
+
+std::optional<std::uint64_t> OpenFile::size() const {
+    return regular_size(descriptor_);
+}
+
+void OpenFile::read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
+    ropesim::read_at(path_, descriptor_, offset, bytes);
+}
+
+std::vector<std::uint8_t> OpenFile::read_all(std::uint64_t largest) const {
+    return ropesim::read_all(path_, descriptor_, largest);
+}
+
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t largest) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.number() < 0) fail(path, "cannot open");
-    return read_all(path, file.number(), largest);
+    return OpenFile(path).read_all(largest);
 }
 
 std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path) {
@@ -195,13 +226,7 @@ void NewFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes
 }
 
 void NewFile::read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
-    while (!bytes.empty()) {
-        const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) fail("cannot read back");
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-        offset += static_cast<std::uint64_t>(count);
-    }
+    ropesim::read_at(path_, descriptor_, offset, bytes);
 }
 
 void NewFile::set_size(std::uint64_t size) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,7 +10,7 @@
 
 namespace ropesim {
 
-// The most bytes of a scene or picture, and of positions, that are read.
+// The most bytes of a scene or picture, and of positions, that are read at once.
 inline constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 inline constexpr std::uint64_t largest_positions = std::uint64_t{1} << 32;
 
@@ -20,6 +21,27 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 // The same of a file that nobody named but that a folder holds: a pipe or a device, which might keep one
 // waiting for ever, is refused.
 std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path);
+
+// A file that is read in parts, at any offset; open as long as it lives. Everything throws
+// std::runtime_error, "<path>: why".
+class OpenFile {
+  public:
+    explicit OpenFile(std::filesystem::path path);
+    ~OpenFile();
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    // In bytes; of a pipe or a device there is none, nor a part.
+    std::optional<std::uint64_t> size() const;
+    void read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+
+    // From the beginning, also of a pipe or a device, no more than the largest. Reads once.
+    std::vector<std::uint8_t> read_all(std::uint64_t largest) const;
+
+  private:
+    std::filesystem::path path_;
+    int descriptor_;
+};
 
 // How a file is written.
 enum class Place {

@@ -1,12 +1,10 @@
 #include "clip/manifest.h"
+#include "clip/digest.h"
 
 #include "clip/render_clip.h"
 #include "simulation/diagnostics.h"
 
 #include <nlohmann/json.hpp>
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
 #include <array>
 #include <cstdio>
@@ -219,14 +217,6 @@ void remove_manifest(const std::filesystem::path& folder) {
     std::filesystem::remove(manifest_path(folder), error);
     if (error)
         throw std::runtime_error(manifest_path(folder).string() + ": cannot remove: " + error.message());
-}
-
-std::string digest(std::string_view bytes) {
-    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-    std::array<char, 33> digits;
-    std::snprintf(digits.data(), digits.size(), "%016llx%016llx",
-                  static_cast<unsigned long long>(hash.high64), static_cast<unsigned long long>(hash.low64));
-    return digits.data();
 }
 
 }  // namespace ropesim

@@ -58,9 +58,6 @@ std::filesystem::path manifest_path(const std::filesystem::path& folder);
 // Throws std::runtime_error where it is there and cannot be removed.
 void remove_manifest(const std::filesystem::path& folder);
 
-// 128 bits of the bytes as 32 hexadecimal digits (XXH3).
-std::string digest(std::string_view bytes);
-
 // "ropesim 0.1.0"
 std::string version();
 

@@ -1,27 +1,20 @@
 #include "clip/positions.h"
 
 #include "clip/csv.h"
-#include "clip/file.h"
-#include "clip/manifest.h"
+#include "clip/npy_positions.h"
 #include "scene/words.h"
 
 #include <array>
-#include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace ropesim {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some programs begin CSV with it
-
-constexpr std::string_view npy_magic = "\x93NUMPY\x01";  // and a zero byte: version 1.0
-
-static_assert(std::endian::native == std::endian::little, "positions are written as little-endian doubles");
 
 // A rope takes memory in a frame also where it has no masses there.
 bool has_too_many_runs(const Positions& positions, const Scene& scene) {
@@ -144,57 +137,17 @@ Positions parse_csv(const Scene& scene, std::string_view text, std::string_view 
     return positions;
 }
 
-// The shape in the header of one array, such as {'descr': '<f8', 'fortran_order': False, 'shape': (3, 16, 2),
-// }.
-std::array<long, 3> npy_shape(std::string_view header, const std::string& where) {
-    std::array<long, 3> shape{};
-    const std::size_t start = header.find("'shape': (");
-    if (header.find("'<f8'") == std::string_view::npos ||
-        header.find("'fortran_order': False") == std::string_view::npos || start == std::string_view::npos)
-        throw std::runtime_error(where + "expected arrays of little-endian float64 ('<f8') in C order");
-    std::string_view rest = header.substr(start + std::strlen("'shape': ("));
-    for (long& extent : shape) {
-        while (rest.starts_with(' ') || rest.starts_with(',')) rest.remove_prefix(1);
-        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), extent);
-        if (error != std::errc()) throw std::runtime_error(where + "expected arrays of frames x nodes x 2");
-        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    }
-    return shape;
-}
-
 Positions parse_npy(const Scene& scene, std::string_view bytes, std::string_view name) {
+    const auto copy = [bytes](std::uint64_t offset, std::span<std::uint8_t> part) {
+        std::memcpy(part.data(), bytes.data() + offset, part.size());
+    };
+    const NpyPositions npy(scene, bytes.size(), copy, name);
     Positions positions;
-    for (std::size_t rope = 0; rope < scene.ropes.size(); ++rope) {
-        const std::string where = std::string(name) + ": array of rope '" + scene.ropes[rope].name + "': ";
-        if (bytes.size() < 10 || !bytes.starts_with(npy_magic) || bytes[7] != '\0')
-            throw std::runtime_error(where + "expected one array per rope in NumPy's format 1.0");
-        const std::size_t header_size =
-            static_cast<unsigned char>(bytes[8]) + 256u * static_cast<unsigned char>(bytes[9]);
-        const auto [frames, nodes, axes] = npy_shape(bytes.substr(10, header_size), where);
-        if (nodes != scene.ropes[rope].nodes || axes != 2 || frames < 0 || frames > scene.frames)
-            throw std::runtime_error(where + "found " + std::to_string(frames) + " x " +
-                                     std::to_string(nodes) + " x " + std::to_string(axes) +
-                                     ", expected at most " + std::to_string(scene.frames) + " x " +
-                                     std::to_string(scene.ropes[rope].nodes) + " x 2");
-        bytes.remove_prefix(std::min(bytes.size(), 10 + header_size));
-        const std::size_t size = static_cast<std::size_t>(frames * nodes * 2) * sizeof(double);
-        if (bytes.size() < size) throw std::runtime_error(where + "the file ends before its numbers do");
-        using RowMajor = Eigen::Array<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
-        for (long frame = 0; frame < frames; ++frame) {
-            RowMajor rows(nodes, 2);
-            const std::size_t row_bytes = static_cast<std::size_t>(nodes * 2) * sizeof(double);
-            std::memcpy(rows.data(), bytes.data() + static_cast<std::size_t>(frame) * row_bytes, row_bytes);
-            if (!rows.isFinite().all())
-                throw std::runtime_error(where + "a coordinate of frame " + std::to_string(frame) +
-                                         " is not finite");
-            positions[frame].resize(scene.ropes.size());
-            if (has_too_many_runs(positions, scene)) throw std::runtime_error(where + too_many_runs);
-            positions[frame][rope] = rows;
-        }
-        bytes.remove_prefix(size);
+    for (long frame = 0; frame < npy.frames(); ++frame) {
+        positions[frame] = npy.at(frame);
+        if (has_too_many_runs(positions, scene))
+            throw std::runtime_error(std::string(name) + ": " + too_many_runs);
     }
-    if (!bytes.empty())
-        throw std::runtime_error(std::string(name) + ": more arrays than the scene has ropes");
     return positions;
 }
 
@@ -222,20 +175,7 @@ std::string to_csv(const Scene& scene, const Positions& positions) {
 }
 
 Positions parse_positions(const Scene& scene, std::string_view bytes, std::string_view name) {
-    return bytes.starts_with(npy_magic.substr(0, 6)) ? parse_npy(scene, bytes, name)
-                                                     : parse_csv(scene, bytes, name);
-}
-
-PositionsFile read_positions(const Scene& scene, const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = read_file(path, largest_positions);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return {parse_positions(scene, text, path.string()), digest(text)};
-}
-
-void check_frames(const Positions& positions, const FrameList& frames, std::string_view name) {
-    for (const long frame : frames)
-        if (!positions.contains(frame))
-            throw std::runtime_error(std::string(name) + ": holds no frame " + std::to_string(frame));
+    return bytes.starts_with(npy_magic) ? parse_npy(scene, bytes, name) : parse_csv(scene, bytes, name);
 }
 
 }  // namespace ropesim

@@ -1,5 +1,6 @@
 #include "clip/render_clip.h"
 
+#include "clip/digest.h"
 #include "clip/file.h"
 #include "clip/helpers.h"
 #include "clip/interrupt.h"
@@ -163,7 +164,7 @@ FolderLock prepare_folder(const Scene& scene, const ClipOptions& options) {
     return lock;
 }
 
-ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,
+ClipResult render_clip(const Scene& scene, Simulation& simulation, const PositionsFile* given,
                        const ClipOptions& options) {
     ClipResult result;
     result.notes = leftovers(scene, options);
@@ -177,6 +178,7 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
                     [&](long frame, const auto& at) { writer.write(frame, at); });
     int at_work = options.jobs ? helpers.count() : 0;
     Pace pace;
+    std::vector<Points> read;
     for (const long frame : options.frames | std::views::filter(wanted)) {
         Interrupts::check();
         --left;
@@ -186,7 +188,8 @@ ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positio
             continue;
         }
         if (!given) advance_to(frame, simulation);
-        const std::vector<Points>& positions = given ? given->at(frame) : simulation.positions();
+        if (given) read = given->at(frame);
+        const std::vector<Points>& positions = given ? read : simulation.positions();
         if (!helpers.take(frame, positions, at_work)) {
             const auto start = std::chrono::steady_clock::now();
             writer.write(frame, positions);

@@ -2,7 +2,7 @@
 
 #include "clip/folder_lock.h"
 #include "clip/frames.h"
-#include "clip/positions.h"
+#include "clip/positions_file.h"
 #include "clip/simulation.h"
 #include "scene/scene.h"
 
@@ -48,7 +48,7 @@ struct ClipResult {
 // frames, of all shards, and those of a clip.json of the same clip that was there. Throws std::runtime_error
 // (the disk is full, no OpenGL context, ...) and Interrupted; what is there then is whole, and `resume` goes
 // on from it.
-ClipResult render_clip(const Scene& scene, Simulation& simulation, const Positions* given,
+ClipResult render_clip(const Scene& scene, Simulation& simulation, const PositionsFile* given,
                        const ClipOptions& options);
 
 }  // namespace ropesim

@@ -91,17 +91,15 @@ void warn(bool quiet, const std::string& sentence) {
     if (!quiet) std::fprintf(stderr, "ropesim: %s\n", one_line(sentence).c_str());
 }
 
-// Reads the file; takes every frame that it holds where none are asked for.
-Positions given_positions(const Scene& scene, const RenderOptions& options, ClipOptions& clip) {
-    PositionsFile file = read_positions(scene, options.positions);
-    clip.positions_digest = file.digest;
-    if (options.frames.empty()) {
-        std::vector<long> frames;
-        for (const auto& [frame, ropes] : file.positions) frames.push_back(frame);
-        clip.frames = frames;
-    }
-    check_frames(file.positions, clip.frames, options.positions);
-    return std::move(file.positions);
+// Every frame that the file holds is drawn where none are asked for.
+std::unique_ptr<PositionsFile> given_positions(const Scene& scene, const RenderOptions& options,
+                                               ClipOptions& clip) {
+    if (options.positions.empty()) return nullptr;
+    auto file = std::make_unique<PositionsFile>(scene, options.positions);
+    clip.positions_digest = file->digest();
+    if (options.frames.empty()) clip.frames = file->frames();
+    file->check_has(clip.frames);
+    return file;
 }
 
 bool report_divergence(const Scene& scene, const Simulation& simulation, bool quiet) {
@@ -162,17 +160,15 @@ int render(const RenderOptions& options) {
     if (!options.video.empty() && clip.shard.count > 1)
         throw CLI::ValidationError("--video",
                                    "a shard has only some of the frames; --resume --video makes it of all");
-    const bool simulating = options.positions.empty();
-    Positions given;
-    if (!simulating) given = given_positions(scene, options, clip);
+    const std::unique_ptr<PositionsFile> given = given_positions(scene, options, clip);
     if (!options.video.empty()) check_video(options.video, clip.frames);
     const FolderLock lock = prepare_folder(scene, clip);
-    Simulation simulation(scene, simulating && !options.scene.no_error ? Simulation::Errors::estimated
-                                                                       : Simulation::Errors::left_out);
-    if (simulating)
+    Simulation simulation(scene, !given && !options.scene.no_error ? Simulation::Errors::estimated
+                                                                   : Simulation::Errors::left_out);
+    if (!given)
         for (const std::string& warning : stability_warnings(scene, simulation.runs()))
             warn(options.quiet, "warning: " + warning);
-    const ClipResult result = render_clip(scene, simulation, simulating ? nullptr : &given, clip);
+    const ClipResult result = render_clip(scene, simulation, given.get(), clip);
     if (!options.video.empty()) write_video(options.video, clip.folder, clip.frames, scene.frames);
     const bool diverged = report_divergence(scene, simulation, options.quiet && !options.strict);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,5 +1,6 @@
 #include "clip/chart.h"
 #include "clip/contact_sheet.h"
+#include "clip/digest.h"
 #include "clip/file.h"
 #include "clip/helpers.h"
 #include "clip/interrupt.h"

@@ -60,22 +60,23 @@ void say_what_is_wrong(const VerifyOptions& options, const Verification& verific
 }
 
 // The positions that the clip was drawn from; none where it was simulated.
-Positions given_positions(const VerifyOptions& options, const Manifest& manifest, const FrameList& frames) {
+std::unique_ptr<PositionsFile> given_positions(const VerifyOptions& options, const Manifest& manifest,
+                                               const FrameList& frames) {
     if (manifest.positions_digest.empty()) {
         if (!options.positions.empty())
             throw std::runtime_error(options.folder +
                                      ": was simulated, not drawn from positions; leave out --positions");
-        return {};
+        return nullptr;
     }
     if (options.positions.empty())
         throw std::runtime_error(options.folder +
                                  ": was drawn from a positions file; give that file by --positions");
-    PositionsFile file = read_positions(manifest.scene, options.positions);
-    if (file.digest != manifest.positions_digest)
+    auto file = std::make_unique<PositionsFile>(manifest.scene, options.positions);
+    if (file->digest() != manifest.positions_digest)
         throw std::runtime_error(options.positions + ": is not the file that " + options.folder +
                                  " was drawn from");
-    check_frames(file.positions, frames, options.positions);
-    return std::move(file.positions);
+    file->check_has(frames);
+    return file;
 }
 
 void repair(const VerifyOptions& options, const Manifest& manifest, const FrameList& frames) {
@@ -90,12 +91,12 @@ void repair(const VerifyOptions& options, const Manifest& manifest, const FrameL
     clip.compact = manifest.compact;
     clip.show_progress = !options.quiet;
     clip.positions_digest = manifest.positions_digest;
-    const Positions given = given_positions(options, manifest, frames);
+    const std::unique_ptr<PositionsFile> given = given_positions(options, manifest, frames);
     const FolderLock lock = prepare_folder(manifest.scene, clip);
     if (frames.empty()) return;
     Simulation simulation(manifest.scene,
                           manifest.has_errors ? Simulation::Errors::estimated : Simulation::Errors::left_out);
-    render_clip(manifest.scene, simulation, clip.positions_digest.empty() ? nullptr : &given, clip);
+    render_clip(manifest.scene, simulation, given.get(), clip);
     const std::vector<FrameFault> left =
         find_faults(options.folder, manifest, frames, options.jobs.value_or(processors()), false);
     if (!left.empty())

@@ -1,5 +1,6 @@
 #include "diff/compare.h"
 
+#include "clip/digest.h"
 #include "clip/file.h"
 #include "clip/manifest.h"
 #include "clip/pace.h"

@@ -1,4 +1,5 @@
 #include "clip/render_clip.h"
+#include "clip/digest.h"
 
 #include "clip/file.h"
 #include "clip/find_scene.h"

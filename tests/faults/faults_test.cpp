@@ -193,6 +193,18 @@ TEST_F(Faults, RenderByTwoJobs) {
     try_all(render, again);
 }
 
+TEST_F(Faults, RenderPositionsOfAFileAsSmallFrames) {
+    const std::filesystem::path file = temporary.path() / "at.npy";
+    ropesim(temporary.path(), {"simulate", "small.toml", "-o", file.string(), "--no-error"});
+    old = {{"at.npy", text_of(file)}};
+    const std::vector<std::string> render{"render",    "small.toml", "--positions", (out / "at.npy").string(),
+                                          "-o",        out.string(), "--jobs",      "1",
+                                          "--compact", "--quiet"};
+    std::vector<std::string> again = render;
+    again.push_back("--resume");
+    try_all(render, again);
+}
+
 TEST_F(Faults, ResumeOverFramesThatAreThere) {
     run_undisturbed({"render", "small.toml", "-o", out.string(), "--quiet"});
     old = whole;

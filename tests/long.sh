@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Long and large, for a nightly run: tests/long.sh PROGRAM [SECONDS [SANITIZED]]
-# Clips of 100,000 frames, 10,000 ropes, a million masses, a path of 4,000 characters and 10 million frames, by
-# PROGRAM; then all commands mixed for SECONDS (an hour unless given), by SANITIZED where it is given: a ropesim that was
+# Clips of 100,000 frames, 10,000 ropes, a million masses, 3840 x 2160 pixels, a path of 4,000 characters and 10 million
+# frames, simulated and by positions, by PROGRAM; then all commands mixed for SECONDS (an hour unless given), by SANITIZED where it is given: a ropesim that was
 # built with the address sanitizer, which fails at a leak. Prints what it measured; stops with status 1 where something
 # is wrong.
 set -euo pipefail
@@ -61,6 +61,26 @@ echo "memory: $short_memory KB for 100 frames, $memory KB for 10,000,000"
 [ "$memory" -lt $((short_memory + 8192)) ] || fail "memory grows with the clip"
 ls endless
 measured "$program" verify endless
+
+echo "== 10 million frames of positions, of which three"
+npy() {  # frames of a rope of 16 masses, all at 0: most of the file is a hole
+    printf '\x93NUMPY\x01\x00\x76\x00%-117s\n' "{'descr': '<f8', 'fortran_order': False, 'shape': ($1, 16, 2), }" > "$2"
+    truncate -s $((128 + $1 * 256)) "$2"
+}
+npy 100 hundred.npy
+npy 10000000 endless.npy
+measured "$program" render hundred.toml --positions hundred.npy -o hundred --frames 97:99 --overwrite
+short_memory=$memory
+measured "$program" render endless.toml --positions endless.npy -o endless --frames 9999997: --overwrite
+echo "memory: $short_memory KB for 100 frames, $memory KB for 10,000,000"
+[ "$memory" -lt $((short_memory + 8192)) ] || fail "memory grows with the file"
+
+echo "== 3840 x 2160"
+for way in --quiet --compact; do
+    measured "$program" render seed --size 3840x2160 --frames 3:5 -o large --overwrite --no-error $way
+    echo "memory: $memory KB $way"
+    [ "$memory" -lt 153600 ] || fail "more than 150 MiB"
+done
 
 echo "== 10,000 ropes"
 scene 3 10000 4 > ropes.toml

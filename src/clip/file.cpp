@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace ropesim {
@@ -80,7 +81,7 @@ void read_at(const std::filesystem::path& path, int file, std::uint64_t offset,
         const ssize_t count = ::pread(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) fail(path, "cannot read");
-        if (count == 0) throw std::runtime_error(path.string() + ": is shorter than it was");
+        if (count == 0) throw std::runtime_error(path.string() + ": has changed while it was read");
         bytes = bytes.subspan(static_cast<std::size_t>(count));
         offset += static_cast<std::uint64_t>(count);
     }
@@ -143,8 +144,9 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
 }
 
 OpenFile::OpenFile(std::filesystem::path path)
-    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)), opened_{} {
     if (descriptor_ < 0) fail(path_, "cannot open");
+    ::fstat(descriptor_, &opened_);
 }
 
 OpenFile::~OpenFile() {
@@ -152,11 +154,19 @@ OpenFile::~OpenFile() {
 }
 
 std::optional<std::uint64_t> OpenFile::size() const {
-    return regular_size(descriptor_);
+    if (!S_ISREG(opened_.st_mode)) return std::nullopt;
+    return static_cast<std::uint64_t>(opened_.st_size);
 }
 
 void OpenFile::read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
     ropesim::read_at(path_, descriptor_, offset, bytes);
+    struct stat now {};
+    ::fstat(descriptor_, &now);
+    const auto version = [](const struct stat& status) {
+        return std::tuple(status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+    };
+    if (version(now) != version(opened_))
+        throw std::runtime_error(path_.string() + ": has changed while it was read");
 }
 
 std::vector<std::uint8_t> OpenFile::read_all(std::uint64_t largest) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/stat.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,7 +12,7 @@
 
 namespace ropesim {
 
-// The most bytes of a scene or picture, and of positions, that are read at once.
+// The most bytes of a scene or picture, and of positions, that are read whole.
 inline constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 inline constexpr std::uint64_t largest_positions = std::uint64_t{1} << 32;
 
@@ -31,8 +33,10 @@ class OpenFile {
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
 
-    // In bytes; of a pipe or a device there is none, nor a part.
+    // In bytes, as it was opened; of a pipe or a device there is none, nor a part.
     std::optional<std::uint64_t> size() const;
+
+    // Throws also where the file has changed since it was opened, so that all parts are of one content.
     void read_at(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
 
     // From the beginning, also of a pipe or a device, no more than the largest. Reads once.
@@ -41,6 +45,7 @@ class OpenFile {
   private:
     std::filesystem::path path_;
     int descriptor_;
+    struct stat opened_;
 };
 
 // How a file is written.

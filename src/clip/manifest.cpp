@@ -1,6 +1,6 @@
 #include "clip/manifest.h"
-#include "clip/digest.h"
 
+#include "clip/digest.h"
 #include "clip/render_clip.h"
 #include "simulation/diagnostics.h"
 

@@ -4,10 +4,8 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
-#include <utility>
 
 namespace ropesim {
 namespace {
@@ -39,6 +37,8 @@ std::array<long, 3> npy_shape(std::string_view header, const std::string& where)
         if (error != std::errc()) throw std::runtime_error(where + "expected arrays of frames x nodes x 2");
         rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     }
+    rest.remove_prefix(std::min(rest.find_first_not_of(" ,"), rest.size()));
+    if (!rest.starts_with(')')) throw std::runtime_error(where + "expected arrays of frames x nodes x 2");
     return shape;
 }
 
@@ -52,56 +52,75 @@ std::uint64_t NpyPositions::Array::frame_begin(long frame) const {
     return begin + static_cast<std::uint64_t>(frame) * frame_bytes();
 }
 
-NpyPositions::NpyPositions(const Scene& scene, std::uint64_t size, ReadAt read_at, std::string_view name)
-    : read_at_(std::move(read_at)) {
-    std::uint64_t begin = 0;
-    for (const SceneRope& rope : scene.ropes) {
-        const std::string where = std::string(name) + ": array of rope '" + rope.name + "': ";
-        const auto [frames, nodes, axes] = read_shape(begin, size, where);
-        if (nodes != rope.nodes || axes != 2 || frames < 0 || frames > scene.frames)
+// Goes through the file from its beginning.
+class NpyPositions::Reader {
+  public:
+    Reader(const ReadAt& read_at, std::uint64_t size) : read_at_(read_at), size_(size) {}
+
+    bool at_end() const { return place_ == size_; }
+
+    // The array of a rope, checked; behind it goes on. `where` begins what is thrown.
+    Array take_array(const SceneRope& rope, long most_frames, const std::string& where) {
+        const auto [frames, nodes, axes] = take_shape(where);
+        if (nodes != rope.nodes || axes != 2 || frames < 0 || frames > most_frames)
             throw std::runtime_error(where + "found " + std::to_string(frames) + " x " +
                                      std::to_string(nodes) + " x " + std::to_string(axes) +
-                                     ", expected at most " + std::to_string(scene.frames) + " x " +
+                                     ", expected at most " + std::to_string(most_frames) + " x " +
                                      std::to_string(rope.nodes) + " x 2");
-        const Array array{frames, nodes, begin};
-        begin = array.frame_begin(array.frames);
-        if (begin > size) throw std::runtime_error(where + "the file ends before its numbers do");
-        check_finite(array, where);
-        arrays_.push_back(array);
+        const Array array{frames, nodes, place_};
+        if (array.frame_begin(frames) > size_)
+            throw std::runtime_error(where + "the file ends before its numbers do");
+        take_numbers(array, where);
+        return array;
     }
-    if (begin < size) throw std::runtime_error(std::string(name) + ": more arrays than the scene has ropes");
-}
 
-std::array<long, 3> NpyPositions::read_shape(std::uint64_t& begin, std::uint64_t size,
-                                             const std::string& where) const {
-    const auto take_text = [&](std::size_t bytes) {
-        std::string text(std::min<std::uint64_t>(bytes, size - begin), '\0');
-        read_at_(begin, bytes_of(text));
-        begin += text.size();
+  private:
+    std::string take_text(std::size_t bytes) {
+        std::string text(std::min<std::uint64_t>(bytes, size_ - place_), '\0');
+        read_at_(place_, bytes_of(text));
+        place_ += text.size();
         return text;
-    };
-    const std::string start = take_text(start_bytes);
-    if (start.size() < start_bytes || !start.starts_with(npy_magic) ||
-        start.substr(npy_magic.size(), version_1_0.size()) != version_1_0)
-        throw std::runtime_error(where + "expected one array per rope in NumPy's format 1.0");
-    const std::size_t header_bytes =
-        static_cast<unsigned char>(start[8]) + 256U * static_cast<unsigned char>(start[9]);
-    return npy_shape(take_text(header_bytes), where);
-}
-
-// Many frames at a time, as reading each alone would cost more than looking at it.
-void NpyPositions::check_finite(const Array& array, const std::string& where) const {
-    constexpr std::uint64_t at_once = std::uint64_t{1} << 20;  // bytes
-    const auto most = static_cast<long>(std::max<std::uint64_t>(at_once / array.frame_bytes(), 1));
-    Eigen::ArrayXXd numbers;  // of a frame in each column
-    for (long first = 0; first < array.frames; first += most) {
-        numbers.resize(2 * array.nodes, std::min(most, array.frames - first));
-        read_at_(array.frame_begin(first), bytes_of(numbers));
-        for (long frame = 0; frame < numbers.cols(); ++frame)
-            if (!numbers.col(frame).isFinite().all())
-                throw std::runtime_error(where + "a coordinate of frame " + std::to_string(first + frame) +
-                                         " is not finite");
     }
+
+    std::array<long, 3> take_shape(const std::string& where) {
+        const std::string start = take_text(start_bytes);
+        if (start.size() < start_bytes || !start.starts_with(npy_magic) ||
+            start.substr(npy_magic.size(), version_1_0.size()) != version_1_0)
+            throw std::runtime_error(where + "expected one array per rope in NumPy's format 1.0");
+        const std::size_t header_bytes =
+            static_cast<unsigned char>(start[8]) + 256U * static_cast<unsigned char>(start[9]);
+        return npy_shape(take_text(header_bytes), where);
+    }
+
+    // Many frames at a time, as reading each alone would cost more than looking at it.
+    void take_numbers(const Array& array, const std::string& where) {
+        constexpr std::uint64_t at_once = std::uint64_t{1} << 20;  // bytes
+        const auto most = static_cast<long>(std::max<std::uint64_t>(at_once / array.frame_bytes(), 1));
+        Eigen::ArrayXXd numbers;  // of a frame in each column
+        for (long first = 0; first < array.frames; first += most) {
+            numbers.resize(2 * array.nodes, std::min(most, array.frames - first));
+            read_at_(array.frame_begin(first), bytes_of(numbers));
+            for (long frame = 0; frame < numbers.cols(); ++frame)
+                if (!numbers.col(frame).isFinite().all())
+                    throw std::runtime_error(where + "a coordinate of frame " +
+                                             std::to_string(first + frame) + " is not finite");
+        }
+        place_ = array.frame_begin(array.frames);
+    }
+
+    const ReadAt& read_at_;
+    std::uint64_t size_;
+    std::uint64_t place_ = 0;
+};
+
+NpyPositions::NpyPositions(const Scene& scene, std::uint64_t size, const ReadAt& read_at,
+                           std::string_view name) {
+    Reader reader(read_at, size);
+    for (const SceneRope& rope : scene.ropes)
+        arrays_.push_back(reader.take_array(rope, scene.frames,
+                                            std::string(name) + ": array of rope '" + rope.name + "': "));
+    if (!reader.at_end())
+        throw std::runtime_error(std::string(name) + ": more arrays than the scene has ropes");
 }
 
 long NpyPositions::frames() const {
@@ -110,13 +129,13 @@ long NpyPositions::frames() const {
     return most;
 }
 
-std::vector<Points> NpyPositions::at(long frame) const {
+std::vector<Points> NpyPositions::at(long frame, const ReadAt& read_at) const {
     std::vector<Points> ropes(arrays_.size());
     Eigen::Array<double, Eigen::Dynamic, 2, Eigen::RowMajor> rows;
     for (std::size_t i = 0; i < ropes.size(); ++i) {
         if (frame >= arrays_[i].frames) continue;
         rows.resize(arrays_[i].nodes, 2);
-        read_at_(arrays_[i].frame_begin(frame), bytes_of(rows));
+        read_at(arrays_[i].frame_begin(frame), bytes_of(rows));
         ropes[i] = rows;
     }
     return ropes;

@@ -144,7 +144,7 @@ Positions parse_npy(const Scene& scene, std::string_view bytes, std::string_view
     const NpyPositions npy(scene, bytes.size(), copy, name);
     Positions positions;
     for (long frame = 0; frame < npy.frames(); ++frame) {
-        positions[frame] = npy.at(frame);
+        positions[frame] = npy.at(frame, copy);
         if (has_too_many_runs(positions, scene))
             throw std::runtime_error(std::string(name) + ": " + too_many_runs);
     }

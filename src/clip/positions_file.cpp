@@ -23,11 +23,15 @@ bool is_regular_npy(const OpenFile& file) {
 PositionsFile::PositionsFile(const Scene& scene, const std::filesystem::path& path)
     : name_(path.string()), file_(path) {
     if (is_regular_npy(file_)) {
-        digest_ = ropesim::digest(file_);
-        const auto read_at = [this](std::uint64_t offset, std::span<std::uint8_t> bytes) {
-            file_.read_at(offset, bytes);
-        };
-        npy_.emplace(scene, *file_.size(), read_at, name_);
+        Digest digest;
+        npy_.emplace(
+            scene, *file_.size(),
+            [&](std::uint64_t offset, std::span<std::uint8_t> bytes) {
+                file_.read_at(offset, bytes);
+                digest.add(bytes);
+            },
+            name_);
+        digest_ = digest.text();
     } else {
         const std::vector<std::uint8_t> bytes = file_.read_all(largest_positions);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -53,7 +57,9 @@ void PositionsFile::check_has(const FrameList& frames) const {
 }
 
 std::vector<Points> PositionsFile::at(long frame) const {
-    return npy_ ? npy_->at(frame) : kept_.at(frame);
+    if (!npy_) return kept_.at(frame);
+    return npy_->at(
+        frame, [this](std::uint64_t offset, std::span<std::uint8_t> bytes) { file_.read_at(offset, bytes); });
 }
 
 }  // namespace ropesim

@@ -20,7 +20,7 @@ class PositionsFile {
     // cannot be read, or is to be kept and has more than 4 GiB.
     PositionsFile(const Scene& scene, const std::filesystem::path& path);
 
-    // Of its bytes.
+    // Of its bytes, as they were then.
     const std::string& digest() const { return digest_; }
 
     FrameList frames() const;
@@ -29,7 +29,7 @@ class PositionsFile {
     void check_has(const FrameList& frames) const;
 
     // Of each rope, masses×2, of a frame that it has; a rope that has no rows has diverged before. Throws
-    // std::runtime_error where the file cannot be read any more.
+    // std::runtime_error where the file has changed since, or cannot be read any more.
     std::vector<Points> at(long frame) const;
 
     PositionsFile(const PositionsFile&) = delete;

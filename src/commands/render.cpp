@@ -2,6 +2,7 @@
 #include "clip/frames.h"
 #include "clip/interrupt.h"
 #include "clip/manifest.h"
+#include "clip/positions_file.h"
 #include "clip/render_clip.h"
 #include "clip/video.h"
 #include "commands/commands.h"
@@ -98,6 +99,7 @@ std::unique_ptr<PositionsFile> given_positions(const Scene& scene, const RenderO
     auto file = std::make_unique<PositionsFile>(scene, options.positions);
     clip.positions_digest = file->digest();
     if (options.frames.empty()) clip.frames = file->frames();
+    if (clip.frames.empty()) throw std::runtime_error(options.positions + ": holds no frame");
     file->check_has(clip.frames);
     return file;
 }

@@ -57,7 +57,7 @@ bool simulates_once(const Scene& scene, long shards) {
     const double share = work.simulating_share(shards);
     std::fprintf(stderr, "ropesim: simulating is %s of a task's work: %s\n", percent(share).c_str(),
                  once          ? "one job does it, the others read its positions"
-                 : share > 0.5 ? "but each task does it, positions would be more than one can hold"
+                 : share > 0.5 ? "but each task does it, positions would be more than 16 GiB"
                                : "each task does it");
     return once;
 }

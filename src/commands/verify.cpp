@@ -1,5 +1,5 @@
 #include "clip/pace.h"
-#include "clip/positions.h"
+#include "clip/positions_file.h"
 #include "clip/render_clip.h"
 #include "clip/verify_clip.h"
 #include "commands/commands.h"

@@ -41,7 +41,7 @@ ClipWork clip_work(const Scene& scene) {
 }
 
 bool worth_simulating_once(const ClipWork& work, long shards) {
-    constexpr double most_bytes = 1 << 30;
+    constexpr double most_bytes = 0x1p34;
     return shards > 1 && work.simulating_share(shards) > 0.5 && work.positions_bytes <= most_bytes;
 }
 

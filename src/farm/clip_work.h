@@ -17,7 +17,7 @@ struct ClipWork {
 ClipWork clip_work(const Scene& scene);
 
 // Whether positions should be simulated once, for all shards to read: each would simulate more than it
-// draws, and the file is one that a shard can hold (it takes twice the memory).
+// draws, and the file, which each reads whole to check it, is of no more than 16 GiB.
 bool worth_simulating_once(const ClipWork& work, long shards);
 
 }  // namespace ropesim

@@ -25,7 +25,7 @@ namespace {
 // large picture take twice its memory.
 constexpr std::size_t piece_bytes = std::size_t{3} << 20;
 
-// Some rows, compressed; and the checksum of all that was compressed up to there.
+// Some rows, compressed; and their checksum.
 struct Piece {
     std::vector<std::uint8_t> deflate_stream;
     Adler32 checksum;
@@ -52,34 +52,32 @@ class Compressor {
     std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor_;
 };
 
-// The shortest of several ways to filter the rows.
-Piece compressed(const Compressor& compressor, const Image& image, int first, int last,
-                 const Adler32& checksum_before) {
+// The shortest of several ways to filter the rows from `begin` to `end`.
+Piece compressed(const Compressor& compressor, const Image& image, int begin, int end) {
     constexpr std::array<std::optional<Filter>, 4> ways{std::nullopt, Filter::none, Filter::sub, Filter::up};
     Piece shortest;
     for (const std::optional<Filter>& way : ways) {
-        const std::vector<std::uint8_t> rows = filtered_rows(image, first, last, way);
+        const std::vector<std::uint8_t> rows = filtered_rows(image, begin, end, way);
         std::vector<std::uint8_t> stream = compressor.deflate_stream(rows);
         if (!shortest.deflate_stream.empty() && stream.size() >= shortest.deflate_stream.size()) continue;
-        shortest = {std::move(stream), checksum_before};
+        shortest = {std::move(stream), {}};
         shortest.checksum.add(rows);
     }
     return shortest;
 }
 
-// All rows as a zlib stream.
-std::vector<std::uint8_t> pixels(const Image& image) {
+std::vector<std::uint8_t> zlib_stream_of_rows(const Image& image) {
     const Compressor compressor;
     const std::size_t row_bytes = 1 + 3 * static_cast<std::size_t>(image.width);
     const int rows_at_once = static_cast<int>(std::max<std::size_t>(piece_bytes / row_bytes, 1));
     std::vector<std::uint8_t> stream = zlib_header();
     Adler32 checksum;
-    for (int first = 0; first < image.height; first += rows_at_once) {
-        const int last = std::min(first + rows_at_once, image.height);
-        Piece piece = compressed(compressor, image, first, last, checksum);
-        if (last < image.height) make_continued(piece.deflate_stream);
+    for (int begin = 0; begin < image.height; begin += rows_at_once) {
+        const int end = std::min(begin + rows_at_once, image.height);
+        Piece piece = compressed(compressor, image, begin, end);
+        if (end < image.height) make_continued(piece.deflate_stream);
         stream.insert(stream.end(), piece.deflate_stream.begin(), piece.deflate_stream.end());
-        checksum = piece.checksum;
+        checksum.add(piece.checksum);
     }
     append_checksum(stream, checksum);
     return stream;
@@ -94,7 +92,7 @@ std::vector<std::uint8_t> encode_compact_png(const Image& image, const Texts& te
         const std::vector<std::uint8_t> chunk = text_chunk(keyword, text);
         file.insert(file.end(), chunk.begin(), chunk.end());
     }
-    append_chunk(file, "IDAT", pixels(image));
+    append_chunk(file, "IDAT", zlib_stream_of_rows(image));
     append_chunk(file, "IEND", {});
     return file;
 }

@@ -36,7 +36,7 @@ Block last_block(std::span<const std::uint8_t> stream) {
         state.avail_out = static_cast<uInt>(unpacked.size());
         status = inflate(&state, Z_BLOCK);
         if (status == Z_MEM_ERROR) throw std::bad_alloc();
-        if (status != Z_OK && status != Z_STREAM_END)
+        if ((status != Z_OK && status != Z_STREAM_END) || (status == Z_STREAM_END && state.avail_in > 0))
             throw std::invalid_argument("no deflate stream, but one was to be continued");
         if (status == Z_OK && (state.data_type & behind_block) != 0)
             last = {last.end, 8 * state.total_in - static_cast<std::size_t>(state.data_type & unused_bits)};
@@ -50,7 +50,9 @@ void make_continued(std::vector<std::uint8_t>& deflate_stream) {
     const Block last = last_block(deflate_stream);
     deflate_stream[last.begin / 8] &= static_cast<std::uint8_t>(~(1U << last.begin % 8));
     // Three zeros begin the stored block, and its length, 0, follows at the next byte and then inverted.
-    if (8 * deflate_stream.size() - last.end < 3) deflate_stream.push_back(0);
+    const std::size_t unused = 8 * deflate_stream.size() - last.end;
+    deflate_stream.back() &= static_cast<std::uint8_t>(0xffU >> unused);
+    if (unused < 3) deflate_stream.push_back(0);
     constexpr std::array<std::uint8_t, 4> empty{0x00, 0x00, 0xff, 0xff};
     deflate_stream.insert(deflate_stream.end(), empty.begin(), empty.end());
 }

@@ -1,6 +1,7 @@
 #include "image/row_filters.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <span>
 
@@ -57,7 +58,7 @@ long weight(std::span<const std::uint8_t> filtered) {
 
 }  // namespace
 
-std::vector<std::uint8_t> filtered_rows(const Image& image, int first, int last,
+std::vector<std::uint8_t> filtered_rows(const Image& image, int begin, int end,
                                         std::optional<Filter> filter) {
     const std::size_t stride = pixel_bytes * static_cast<std::size_t>(image.width);
     const auto row_of_picture = [&](int y) {
@@ -65,12 +66,12 @@ std::vector<std::uint8_t> filtered_rows(const Image& image, int first, int last,
     };
     const std::vector<std::uint8_t> nothing(stride, 0);
     std::vector<std::uint8_t> tried(1 + stride);
-    std::vector<std::uint8_t> rows((1 + stride) * static_cast<std::size_t>(last - first));
-    std::span<const std::uint8_t> above = first > 0 ? row_of_picture(first - 1) : nothing;
-    for (int y = first; y < last; ++y) {
+    std::vector<std::uint8_t> rows((1 + stride) * static_cast<std::size_t>(end - begin));
+    std::span<const std::uint8_t> above = begin > 0 ? row_of_picture(begin - 1) : nothing;
+    for (int y = begin; y < end; ++y) {
         const auto row = row_of_picture(y);
         const auto kept =
-            std::span(rows).subspan(static_cast<std::size_t>(y - first) * (1 + stride), 1 + stride);
+            std::span(rows).subspan(static_cast<std::size_t>(y - begin) * (1 + stride), 1 + stride);
         filter_row(filter.value_or(Filter::none), row, above, kept);
         for (const Filter other : filters) {
             if (filter) break;

@@ -2,7 +2,6 @@
 
 #include "image/image.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -13,9 +12,9 @@ namespace ropesim {
 // from those to its left, above it, and above to its left.
 enum class Filter : std::uint8_t { none, sub, up, average, paeth };
 
-// Rows of a picture, each behind the byte that names its filter: all by one; or each by the one that makes it
-// lightest, which is how section 12.8 advises to choose.
-std::vector<std::uint8_t> filtered_rows(const Image& image, int first, int last,
-                                        std::optional<Filter> filter);
+// The rows of a picture from `begin` to before `end`, each behind the byte that names its filter: all by one;
+// or, where none is named, each by the one that makes it lightest, which is how section 12.8 advises to
+// choose.
+std::vector<std::uint8_t> filtered_rows(const Image& image, int begin, int end, std::optional<Filter> filter);
 
 }  // namespace ropesim

@@ -7,8 +7,9 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
-#include <algorithm>
-#include <cstring>
+#include <chrono>
+#include <cmath>
+#include <fstream>
 #include <thread>
 
 namespace ropesim {
@@ -71,35 +72,28 @@ TEST_F(PositionsFileTest, RefusesWhatIsNotFiniteBeforeAFrameIsAskedFor) {
     EXPECT_THROW(PositionsFile(scene_, file("a.npy", to_npy(scene_, positions_))), std::runtime_error);
 }
 
-TEST_F(PositionsFileTest, SaysWhereTheFileWasCutShortSince) {
+// In place, as numpy.save does it.
+TEST_F(PositionsFileTest, StopsWhereTheFileHasChangedSince) {
+    const auto expect_changed = [](const PositionsFile& read) {
+        try {
+            read.at(3);
+            FAIL() << "read something else";
+        } catch (const std::runtime_error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("a.npy: has changed while it was read"));
+        }
+    };
     const std::filesystem::path path = file("a.npy", to_npy(scene_, positions_));
-    const PositionsFile read(scene_, path);
+    const PositionsFile cut(scene_, path);
     std::filesystem::resize_file(path, 200);
-    try {
-        read.at(3);
-        FAIL() << "read what is not there";
-    } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("a.npy: is shorter than it was"));
-    }
-}
+    expect_changed(cut);
 
-// However long the file is, no more than a megabyte of it is in memory.
-TEST(NpyPositions, ReadsInParts) {
-    Scene scene = scene_of({{"a", 16}});
-    scene.frames = 20000;
-    const std::string bytes = to_npy(scene, random_positions(scene, 20000));
-    std::size_t most = 0;
-    const NpyPositions positions(
-        scene, bytes.size(),
-        [&](std::uint64_t offset, std::span<std::uint8_t> part) {
-            most = std::max(most, part.size());
-            std::memcpy(part.data(), bytes.data() + offset, part.size());
-        },
-        "a.npy");
-    EXPECT_LE(most, std::size_t{1} << 20);
-    most = 0;
-    positions.at(12345);
-    EXPECT_EQ(most, 16 * 2 * sizeof(double));
+    file("a.npy", to_npy(scene_, positions_));
+    const PositionsFile written(scene_, path);
+    EXPECT_NO_THROW(written.at(3));
+    std::fstream(path, std::ios::in | std::ios::out).seekp(200).put('x');
+    std::filesystem::last_write_time(path,
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(1));
+    expect_changed(written);
 }
 
 }  // namespace

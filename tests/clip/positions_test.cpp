@@ -1,27 +1,13 @@
 #include "clip/positions.h"
 
-#include "clip/positions_writer.h"
 #include "clip/some_positions.h"
-#include "clip/temporary_folder.h"
 
 #include <gmock/gmock.h>
-
-#include <cmath>
-#include <limits>
 
 namespace ropesim {
 namespace {
 
 using testing::HasSubstr;
-
-std::string refusal(const Scene& scene, const std::string& text) {
-    try {
-        parse_positions(scene, text, "swing.csv");
-        return "";
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-}
 
 TEST(PositionsCsv, ReadsBackAsTheSameBits) {
     const Scene scene = scene_of({{"Euler", 3}, {"a \"quoted\", name", 5}});
@@ -107,70 +93,6 @@ TEST(Positions, RefuseMoreRopesInMoreFramesThanMemoryHolds) {
         for (int node = 0; node < 2; ++node)
             csv += std::to_string(frame) + ",a," + std::to_string(node) + ",0,0\n";
     EXPECT_THAT(refusal(scene, csv), HasSubstr("swing.csv:130: found too many ropes in too many frames"));
-}
-
-TEST(PositionsNpy, ReadsBackAsTheSameBits) {
-    const Scene scene = scene_of({{"a", 3}, {"b", 1000}});
-    const Positions positions = random_positions(scene, 7);
-    expect_same_bits(positions, parse_positions(scene, to_npy(scene, positions), "npy"));
-}
-
-TEST(PositionsNpy, BeginsAsNumPyWritesIt) {
-    const Scene scene = scene_of({{"a", 2}});
-    const std::string bytes = to_npy(scene, random_positions(scene, 3));
-    EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
-    EXPECT_THAT(bytes, HasSubstr("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2, 2), }"));
-    EXPECT_EQ(bytes.find('\n') % 64, 63u) << "the numbers begin at a multiple of 64";
-    EXPECT_EQ(bytes.size(), bytes.find('\n') + 1 + 3 * 2 * 2 * 8);
-}
-
-// Where an array is shorter than its room, those behind it move up, also by less than their own length.
-TEST(PositionsNpy, EndsWhereItsRopeDiverged) {
-    const Scene scene = scene_of({{"a", 2}, {"b", 2}, {"c", 5}});
-    for (const std::size_t rope : {0U, 1U, 2U}) {
-        for (const long last : {1L, 3L}) {
-            Positions positions = random_positions(scene, 4);
-            for (long frame = last; frame < 4; ++frame) positions[frame][rope] = Points(0, 2);
-            expect_same_bits(positions, parse_positions(scene, to_npy(scene, positions), "npy"));
-        }
-    }
-}
-
-TEST(PositionsNpy, NeedsEveryFrameFromTheFirstOn) {
-    const Scene scene = scene_of({{"a", 2}});
-    const TemporaryFolder folder;
-    const std::string file = folder.path() / "a.npy";
-    EXPECT_NO_THROW(make_positions_writer(file, scene, {0, 1, 2}));
-    EXPECT_THROW(make_positions_writer(file, scene, {1, 2}), std::runtime_error);
-    EXPECT_THROW(make_positions_writer(file, scene, {0, 2}), std::runtime_error);
-}
-
-TEST(PositionsNpy, RefusesEveryTruncation) {
-    const Scene scene = scene_of({{"a", 2}});
-    const std::string bytes = to_npy(scene, random_positions(scene, 2));
-    for (std::size_t size = 6; size < bytes.size(); ++size)
-        EXPECT_THROW(parse_positions(scene, bytes.substr(0, size), "npy"), std::runtime_error) << size;
-}
-
-TEST(PositionsNpy, RefusesOtherShapesAndTypes) {
-    const Scene scene = scene_of({{"a", 2}});
-    const std::string bytes = to_npy(scene, random_positions(scene, 2));
-    EXPECT_THAT(refusal(scene_of({{"a", 3}}), bytes),
-                HasSubstr("found 2 x 2 x 2, expected at most 10 x 3 x 2"));
-    std::string other = bytes;
-    other.replace(other.find("<f8"), 3, "<f4");
-    EXPECT_THAT(refusal(scene, other), HasSubstr("float64"));
-    EXPECT_THAT(refusal(scene, bytes + bytes), HasSubstr("more arrays than the scene has ropes"));
-}
-
-TEST(PositionsNpy, RefusesWhatIsNotFinite) {
-    const Scene scene = scene_of({{"a", 2}});
-    for (const double number : {std::numeric_limits<double>::infinity(), std::nan("")}) {
-        Positions positions = random_positions(scene, 2);
-        positions[1][0](1, 1) = number;
-        EXPECT_THAT(refusal(scene, to_npy(scene, positions)),
-                    HasSubstr("rope 'a': a coordinate of frame 1 is not finite"));
-    }
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "clip/render_clip.h"
-#include "clip/digest.h"
 
+#include "clip/digest.h"
 #include "clip/file.h"
 #include "clip/find_scene.h"
 #include "clip/interrupt.h"

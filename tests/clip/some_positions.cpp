@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <random>
+#include <stdexcept>
 
 namespace ropesim {
 
@@ -60,6 +61,15 @@ std::string written(const std::string& extension, const Scene& scene, const Posi
 
 std::string to_npy(const Scene& scene, const Positions& positions) {
     return written(".npy", scene, positions);
+}
+
+std::string refusal(const Scene& scene, const std::string& bytes) {
+    try {
+        parse_positions(scene, bytes, "swing.csv");
+        return "";
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
 }
 
 void expect_same_bits(const Positions& expected, const Positions& actual) {

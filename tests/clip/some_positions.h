@@ -19,6 +19,9 @@ Positions random_positions(const Scene& scene, long frames);
 std::string written(const std::string& extension, const Scene& scene, const Positions& positions);
 std::string to_npy(const Scene& scene, const Positions& positions);
 
+// Why parse_positions does not read it as "swing.csv"; nothing where it does.
+std::string refusal(const Scene& scene, const std::string& bytes);
+
 // A failure of the test unless all bits are the same.
 void expect_same_bits(const Positions& expected, const Positions& actual);
 

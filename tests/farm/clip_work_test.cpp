@@ -36,7 +36,8 @@ TEST(ClipWork, IsWorthSimulatingOnceWhereThatDominates) {
     EXPECT_GT(dear.simulating_share(8), 0.8);
     EXPECT_TRUE(worth_simulating_once(dear, 8));
     EXPECT_FALSE(worth_simulating_once(dear, 1));
-    EXPECT_FALSE(worth_simulating_once(clip_work(many(1000, 10'000)), 8));  // 10 GB of positions
+    EXPECT_TRUE(worth_simulating_once(clip_work(many(1000, 10'000)), 8));    // 10 GB of positions
+    EXPECT_FALSE(worth_simulating_once(clip_work(many(1000, 100'000)), 8));  // 100 GB
 }
 
 }  // namespace

@@ -76,12 +76,23 @@ TEST(DeflateJoin, IsWhatTheStreamsHoldOneAfterTheOther) {
     }
 }
 
+// The bits behind the end of a block of the fixed codes: its header and 7 zeros are ten bits.
+TEST(DeflateJoin, DoesNotMindWhatStandsInTheLastByteBehindTheStream) {
+    Bytes stream{0x03, 0xfc};
+    make_continued(stream);
+    const Bytes last = deflated({'e', 'n', 'd'}, 9, Z_DEFAULT_STRATEGY);
+    stream.insert(stream.end(), last.begin(), last.end());
+    EXPECT_EQ(inflated(stream, 3), (Bytes{'e', 'n', 'd'}));
+}
+
 TEST(DeflateJoin, RefusesWhatIsNoWholeStream) {
     Bytes cut = deflated(text(1000), 9, Z_DEFAULT_STRATEGY);
     cut.pop_back();
     Bytes nothing;
     Bytes invalid{0xff, 0xff};
-    for (Bytes* const stream : {&cut, &nothing, &invalid})
+    Bytes more = deflated(text(1000), 9, Z_DEFAULT_STRATEGY);
+    more.push_back(0);
+    for (Bytes* const stream : {&cut, &nothing, &invalid, &more})
         EXPECT_THROW(make_continued(*stream), std::invalid_argument);
 }
 

@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some programs begin CSV with it
 
 // A rope takes memory in a frame also where it has no masses there.
-bool has_too_many_runs(const Positions& positions, const Scene& scene) {
+bool too_many(std::size_t frames, const Scene& scene) {
     constexpr std::size_t most = std::size_t{1} << 26;
-    return positions.size() * scene.ropes.size() > most;
+    return frames * scene.ropes.size() > most;
 }
 constexpr const char* too_many_runs = "found too many ropes in too many frames, expected 2^26 in all at most";
 
@@ -119,7 +119,7 @@ Positions parse_csv(const Scene& scene, std::string_view text, std::string_view 
             frame_number = number;
             rope = rope_index(scene, rope_name, reader);
             frame = &positions[number];
-            if (has_too_many_runs(positions, scene)) reader.fail(too_many_runs);
+            if (too_many(positions.size(), scene)) reader.fail(too_many_runs);
             frame->resize(scene.ropes.size());
             if ((*frame)[rope].rows() > 0) reader.fail("rope '" + rope_name + "' stands twice in this frame");
             (*frame)[rope].resize(scene.ropes[rope].nodes, 2);
@@ -142,12 +142,10 @@ Positions parse_npy(const Scene& scene, std::string_view bytes, std::string_view
         std::memcpy(part.data(), bytes.data() + offset, part.size());
     };
     const NpyPositions npy(scene, bytes.size(), copy, name);
+    if (too_many(static_cast<std::size_t>(npy.frames()), scene))
+        throw std::runtime_error(std::string(name) + ": " + too_many_runs);
     Positions positions;
-    for (long frame = 0; frame < npy.frames(); ++frame) {
-        positions[frame] = npy.at(frame, copy);
-        if (has_too_many_runs(positions, scene))
-            throw std::runtime_error(std::string(name) + ": " + too_many_runs);
-    }
+    for (long frame = 0; frame < npy.frames(); ++frame) positions[frame] = npy.at(frame, copy);
     return positions;
 }
 

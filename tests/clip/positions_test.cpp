@@ -1,5 +1,6 @@
 #include "clip/positions.h"
 
+#include "clip/positions_writer.h"
 #include "clip/some_positions.h"
 
 #include <gmock/gmock.h>
@@ -93,6 +94,12 @@ TEST(Positions, RefuseMoreRopesInMoreFramesThanMemoryHolds) {
         for (int node = 0; node < 2; ++node)
             csv += std::to_string(frame) + ",a," + std::to_string(node) + ",0,0\n";
     EXPECT_THAT(refusal(scene, csv), HasSubstr("swing.csv:130: found too many ropes in too many frames"));
+
+    scene = scene_of(std::vector<std::pair<std::string, int>>(1 << 14, {"a", 2}));
+    scene.frames = 5000;
+    std::string npy = npy_header(4097, 2) + std::string(4097 * 2 * 2 * sizeof(double), '\0');
+    for (std::size_t rope = 1; rope < scene.ropes.size(); ++rope) npy += npy_header(0, 2);
+    EXPECT_THAT(refusal(scene, npy), HasSubstr("swing.csv: found too many ropes in too many frames"));
 }
 
 }  // namespace

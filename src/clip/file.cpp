@@ -271,6 +271,15 @@ void write_file(const std::filesystem::path& path, std::string_view text, Place 
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), place);
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directory(folder, error);
+    std::error_code ignored;
+    if (std::filesystem::exists(folder, ignored) && !std::filesystem::is_directory(folder, ignored))
+        throw std::runtime_error(folder.string() + ": is no folder; expected one, or nothing of that name");
+    if (error) throw std::runtime_error(folder.string() + ": cannot make the folder: " + error.message());
+}
+
 void sync_folder(const std::filesystem::path& folder) {
     Descriptor file(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (file.number() < 0) fail(folder, "cannot open");

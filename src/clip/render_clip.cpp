@@ -144,13 +144,7 @@ std::vector<std::string> leftovers(const Scene& scene, const ClipOptions& option
 }  // namespace
 
 FolderLock prepare_folder(const Scene& scene, const ClipOptions& options) {
-    std::error_code error;
-    std::filesystem::create_directory(options.folder, error);
-    std::error_code ignored;
-    if (std::filesystem::exists(options.folder, ignored) && !std::filesystem::is_directory(options.folder))
-        throw std::runtime_error(options.folder.string() + ": is no folder; expected one for the frames");
-    if (error)
-        throw std::runtime_error(options.folder.string() + ": cannot make the folder: " + error.message());
+    make_folder(options.folder);
     const bool alone = options.shard.count == 1;
     FolderLock lock(options.folder,
                     alone ? "" : digest(version() + options.positions_digest + to_toml(scene)));

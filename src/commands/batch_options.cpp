@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <stdexcept>
 
 namespace ropesim {
 namespace {
@@ -42,10 +41,8 @@ void hand_over(const BatchOptions& options, const std::vector<BatchJob>& jobs,
         std::printf("%s", dry_run(jobs, options.request, folder).c_str());
         return;
     }
-    std::error_code error;
-    std::filesystem::create_directory(folder.parent_path(), error);
-    if (!error) std::filesystem::create_directory(folder, error);
-    if (error) throw std::runtime_error(folder.string() + ": cannot make the folder: " + error.message());
+    make_folder(folder.parent_path());
+    make_folder(folder);
     write_file(folder / "scene.toml", scene_toml);
     const std::vector<std::string> numbers = submit(jobs, options.request, folder);
     for (std::size_t i = 0; i < jobs.size(); ++i)

@@ -58,9 +58,7 @@ Scene opened(const StudyOptions& options) {
 
 // Others are kept out while the lock lives.
 [[nodiscard]] FolderLock made_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directory(folder, error);
-    if (error) throw std::runtime_error(folder + ": cannot make the folder: " + error.message());
+    make_folder(folder);
     return {folder, ""};
 }
 

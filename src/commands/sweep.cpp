@@ -190,11 +190,7 @@ Sweep open_sweep(const SweepOptions& options) {
 
 // Keeps others out of the folder for as long as the lock is kept, but for shards of the same sweep.
 [[nodiscard]] FolderLock prepare(const SweepOptions& options, const PointWorker& worker, const Shard& shard) {
-    std::error_code error;
-    std::filesystem::create_directory(options.folder, error);
-    if (error || !std::filesystem::is_directory(options.folder))
-        throw std::runtime_error(options.folder.string() + ": cannot make the folder" +
-                                 (error ? ": " + error.message() : ""));
+    make_folder(options.folder);
     FolderLock lock(options.folder, shard.count == 1 ? "" : worker.digest());
     remove_stale_temporaries(options.folder);
     bool there = std::filesystem::exists(options.folder / csv_name);
@@ -209,6 +205,7 @@ Sweep open_sweep(const SweepOptions& options) {
             options.folder.string() +
             " already holds a sweep; --resume keeps what this one made, --overwrite makes "
             "it anew, -o names another folder");
+    std::error_code error;
     std::filesystem::remove(options.folder / csv_name, error);  // until the points are what it says
     if (error) throw std::runtime_error(options.folder.string() + ": cannot write: " + error.message());
     return lock;

@@ -174,7 +174,7 @@ TEST_F(RenderClip, NeedsAFolderAndNotAFile) {
         std::ignore = prepare_folder(scene, into(folder, scene));
         FAIL() << "took a file";
     } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("is no folder; expected one for the frames"));
+        EXPECT_THAT(error.what(), HasSubstr("is no folder; expected one, or nothing of that name"));
     }
 }
 

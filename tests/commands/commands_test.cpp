@@ -201,6 +201,14 @@ TEST_F(CommandLine, RefusesBadInputWithStatus1) {
     expect_failure({"simulate", "--method", "simplectic_euler"}, 1, "simplectic_euler");
     expect_failure({"-o", "missing/frames"}, 1,
                    "missing/frames: cannot make the folder: No such file or directory");
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"render"},
+                                                    {"compare"},
+                                                    {"study", "stability"},
+                                                    {"sweep", "--vary", "mass=1,2"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.insert(arguments.end(), {"-o", "a.png"});
+        expect_failure(arguments, 1, "a.png: is no folder");
+    }
 }
 
 TEST_F(CommandLine, SaysWhatDivergedAndThatTenStepsAreStable) {

@@ -93,8 +93,8 @@ void write_file(const std::filesystem::path& path, std::span<const std::uint8_t>
                 Place place = Place::in_folder);
 void write_file(const std::filesystem::path& path, std::string_view text, Place place = Place::in_folder);
 
-// Makes a folder where there is none; the one above it must be there. Throws std::runtime_error where something
-// else has its name, or where the system cannot.
+// Makes a folder where there is none; the one above it must be there. Throws std::runtime_error where
+// something else has its name, or where the system cannot.
 void make_folder(const std::filesystem::path& folder);
 
 // Has the names in a folder outlast a power cut. Throws std::runtime_error where the system cannot.

@@ -64,9 +64,9 @@ class NpyPositions::Reader {
         const auto [frames, nodes, axes] = take_shape(where);
         if (nodes != rope.nodes || axes != 2 || frames < 0 || frames > most_frames)
             throw std::runtime_error(where + "found " + std::to_string(frames) + " x " +
-                                     std::to_string(nodes) + " x " + std::to_string(axes) +
-                                     ", expected at most " + std::to_string(most_frames) + " x " +
-                                     std::to_string(rope.nodes) + " x 2");
+                                     std::to_string(nodes) + " x " + std::to_string(axes) + ", expected " +
+                                     std::to_string(most_frames) + " x " + std::to_string(rope.nodes) +
+                                     " x 2, or fewer frames");
         const Array array{frames, nodes, place_};
         if (array.frame_begin(frames) > size_)
             throw std::runtime_error(where + "the file ends before its numbers do");
@@ -89,7 +89,9 @@ class NpyPositions::Reader {
             throw std::runtime_error(where + "expected one array per rope in NumPy's format 1.0");
         const std::size_t header_bytes =
             static_cast<unsigned char>(start[8]) + 256U * static_cast<unsigned char>(start[9]);
-        return npy_shape(take_text(header_bytes), where);
+        const std::string header = take_text(header_bytes);
+        if (header.size() < header_bytes) throw std::runtime_error(where + "the file ends within its header");
+        return npy_shape(header, where);
     }
 
     // Many frames at a time, as reading each alone would cost more than looking at it.

@@ -38,7 +38,7 @@ class CsvReader {
 
     void expect_header() {
         if (take_line() != positions_csv_header)
-            fail("expected the line " + std::string(positions_csv_header));
+            fail("expected the line " + std::string(positions_csv_header) + ", or NumPy's format");
         ++line_;
     }
 

@@ -63,13 +63,14 @@ TEST(NpyPositions, RefusesOtherShapesAndTypes) {
     const Scene scene = scene_of({{"a", 2}});
     const std::string bytes = to_npy(scene, random_positions(scene, 2));
     EXPECT_THAT(refusal(scene_of({{"a", 3}}), bytes),
-                HasSubstr("found 2 x 2 x 2, expected at most 10 x 3 x 2"));
+                HasSubstr("found 2 x 2 x 2, expected 10 x 3 x 2, or fewer frames"));
     std::string other = bytes;
     other.replace(other.find("<f8"), 3, "<f4");
     EXPECT_THAT(refusal(scene, other), HasSubstr("float64"));
     other = bytes;
     other.replace(other.find(", 2), }   "), 10, ", 2, 1), }");
     EXPECT_THAT(refusal(scene, other), HasSubstr("expected arrays of frames x nodes x 2"));
+    EXPECT_THAT(refusal(scene, bytes.substr(0, 60)), HasSubstr("ends within its header"));
     EXPECT_THAT(refusal(scene, bytes + bytes), HasSubstr("more arrays than the scene has ropes"));
 }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Long and large, for a nightly run: tests/long.sh PROGRAM [SECONDS [SANITIZED]]
 # Clips of 100,000 frames, 10,000 ropes, a million masses, 3840 x 2160 pixels, a path of 4,000 characters and 10 million
-# frames, simulated and by positions, by PROGRAM; then all commands mixed for SECONDS (an hour unless given), by SANITIZED where it is given: a ropesim that was
-# built with the address sanitizer, which fails at a leak. Prints what it measured; stops with status 1 where something
-# is wrong.
+# frames, simulated and by positions, by PROGRAM; then all commands mixed for SECONDS (an hour unless given), by
+# SANITIZED where it is given: a ropesim that was built with the address sanitizer, which fails at a leak. Prints what
+# it measured; stops with status 1 where something is wrong.
 set -euo pipefail
 program=$(realpath "$1")
 seconds=${2:-3600}

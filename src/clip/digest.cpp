@@ -7,16 +7,6 @@
 #include <cstdio>
 
 namespace ropesim {
-namespace {
-
-std::string text_of(XXH128_hash_t hash) {
-    std::array<char, 33> digits;
-    std::snprintf(digits.data(), digits.size(), "%016llx%016llx",
-                  static_cast<unsigned long long>(hash.high64), static_cast<unsigned long long>(hash.low64));
-    return digits.data();
-}
-
-}  // namespace
 
 struct Digest::State {
     XXH3_state_t xxh3;
@@ -33,11 +23,17 @@ void Digest::add(std::span<const std::uint8_t> bytes) {
 }
 
 std::string Digest::text() const {
-    return text_of(XXH3_128bits_digest(&state_->xxh3));
+    const XXH128_hash_t hash = XXH3_128bits_digest(&state_->xxh3);
+    std::array<char, 33> digits;
+    std::snprintf(digits.data(), digits.size(), "%016llx%016llx",
+                  static_cast<unsigned long long>(hash.high64), static_cast<unsigned long long>(hash.low64));
+    return digits.data();
 }
 
 std::string digest(std::string_view bytes) {
-    return text_of(XXH3_128bits(bytes.data(), bytes.size()));
+    Digest whole;
+    whole.add({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    return whole.text();
 }
 
 }  // namespace ropesim

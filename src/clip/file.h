@@ -33,6 +33,8 @@ class OpenFile {
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
 
+    const std::filesystem::path& path() const { return path_; }
+
     // In bytes, as it was opened; of a pipe or a device there is none, nor a part.
     std::optional<std::uint64_t> size() const;
 

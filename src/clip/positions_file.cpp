@@ -20,8 +20,7 @@ bool is_regular_npy(const OpenFile& file) {
 
 }  // namespace
 
-PositionsFile::PositionsFile(const Scene& scene, const std::filesystem::path& path)
-    : name_(path.string()), file_(path) {
+PositionsFile::PositionsFile(const Scene& scene, const std::filesystem::path& path) : file_(path) {
     if (is_regular_npy(file_)) {
         Digest digest;
         npy_.emplace(
@@ -30,13 +29,13 @@ PositionsFile::PositionsFile(const Scene& scene, const std::filesystem::path& pa
                 file_.read_at(offset, bytes);
                 digest.add(bytes);
             },
-            name_);
+            path.string());
         digest_ = digest.text();
     } else {
         const std::vector<std::uint8_t> bytes = file_.read_all(largest_positions);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         digest_ = ropesim::digest(text);
-        kept_ = parse_positions(scene, text, name_);
+        kept_ = parse_positions(scene, text, path.string());
     }
 }
 
@@ -53,7 +52,7 @@ void PositionsFile::check_has(const FrameList& frames) const {
     const FrameList held = this->frames();
     for (const long frame : frames)
         if (!held.contains(frame))
-            throw std::runtime_error(name_ + ": holds no frame " + std::to_string(frame));
+            throw std::runtime_error(file_.path().string() + ": holds no frame " + std::to_string(frame));
 }
 
 std::vector<Points> PositionsFile::at(long frame) const {

@@ -36,7 +36,6 @@ class PositionsFile {
     PositionsFile& operator=(const PositionsFile&) = delete;
 
   private:
-    std::string name_;
     OpenFile file_;
     std::string digest_;
     std::optional<NpyPositions> npy_;

@@ -42,6 +42,14 @@ TEST_F(CommandLine, CompareSaysWhichIsCloserToTheTruth) {
     EXPECT_TRUE(exists("one/strip.png"));
 }
 
+// Without damping the seed's Verlet is symplectic Euler, to rounding.
+TEST_F(CommandLine, CompareCallsNoneCloserWhereAllAreAsFar) {
+    const Outcome outcome = run({"compare", "seed-undamped", "--methods", "symplectic_euler,seed_verlet",
+                                 "-s", "16", "--layout", "strip", "--frames", "0:2", "--truth", "-o", "one"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("all are as far from the truth"));
+}
+
 TEST_F(CommandLine, CompareRefusesWhatCannotBeCompared) {
     expect_failure({"compare", "--methods", "stormer_verlet", "-o", "frames"}, 1, "needs two runs");
     expect_failure({"compare", "--methods", "verlet,xpbd", "-o", "frames"}, 1, "unknown method 'verlet'");

@@ -1,5 +1,7 @@
 #include "image/deflate_join.h"
 
+#include "image/unpacked.h"
+
 #include <gtest/gtest.h>
 #include <zlib.h>
 #include <algorithm>
@@ -25,21 +27,6 @@ Bytes deflated(Bytes bytes, int level, int strategy) {
     stream.resize(state.total_out);
     deflateEnd(&state);
     return stream;
-}
-
-// What zlib unpacks; nothing where the stream does not end where its bytes do.
-Bytes inflated(Bytes stream, std::size_t size) {
-    z_stream state{};
-    inflateInit2(&state, no_header);
-    Bytes bytes(size + 1);
-    state.next_in = stream.data();
-    state.avail_in = static_cast<uInt>(stream.size());
-    state.next_out = bytes.data();
-    state.avail_out = static_cast<uInt>(bytes.size());
-    const int status = inflate(&state, Z_FINISH);
-    bytes.resize(status == Z_STREAM_END && state.avail_in == 0 ? state.total_out : 0);
-    inflateEnd(&state);
-    return bytes;
 }
 
 // Few values, so that codes are of few bits and streams end at every bit of a byte.
@@ -69,7 +56,7 @@ TEST(DeflateJoin, IsWhatTheStreamsHoldOneAfterTheOther) {
                 whole.insert(whole.end(), last.begin(), last.end());
                 Bytes whole_expected = expected;
                 whole_expected.insert(whole_expected.end(), {'e', 'n', 'd'});
-                EXPECT_TRUE(inflated(whole, whole_expected.size()) == whole_expected)
+                EXPECT_TRUE(unpacked(whole, whole_expected.size()) == whole_expected)
                     << "level " << level << ", strategy " << strategy << ", size " << size;
             }
         }
@@ -82,7 +69,7 @@ TEST(DeflateJoin, DoesNotMindWhatStandsInTheLastByteBehindTheStream) {
     make_continued(stream);
     const Bytes last = deflated({'e', 'n', 'd'}, 9, Z_DEFAULT_STRATEGY);
     stream.insert(stream.end(), last.begin(), last.end());
-    EXPECT_EQ(inflated(stream, 3), (Bytes{'e', 'n', 'd'}));
+    EXPECT_EQ(unpacked(stream, 3), (Bytes{'e', 'n', 'd'}));
 }
 
 TEST(DeflateJoin, RefusesWhatIsNoWholeStream) {

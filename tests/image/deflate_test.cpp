@@ -1,5 +1,7 @@
 #include "image/deflate.h"
 
+#include "image/unpacked.h"
+
 #include <gtest/gtest.h>
 #include <zlib.h>
 #include <random>
@@ -16,21 +18,6 @@ Bytes meaning(std::span<const Token> tokens) {
         if (token.length == 0) bytes.push_back(static_cast<std::uint8_t>(token.byte_or_distance));
         for (int i = 0; i < token.length; ++i) bytes.push_back(bytes[bytes.size() - token.byte_or_distance]);
     }
-    return bytes;
-}
-
-// What zlib unpacks from a bare deflate stream; nothing where it refuses it or has bytes left.
-Bytes unpacked(const Bytes& stream, std::size_t size) {
-    Bytes bytes(size + 1);
-    z_stream state{};
-    inflateInit2(&state, -15);
-    state.next_in = const_cast<Bytef*>(stream.data());
-    state.avail_in = static_cast<uInt>(stream.size());
-    state.next_out = bytes.data();
-    state.avail_out = static_cast<uInt>(bytes.size());
-    const int status = inflate(&state, Z_FINISH);
-    bytes.resize(status == Z_STREAM_END && state.avail_in == 0 ? state.total_out : 0);
-    inflateEnd(&state);
     return bytes;
 }
 

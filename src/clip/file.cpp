@@ -207,8 +207,11 @@ NewFile::~NewFile() {
 }
 
 void NewFile::append(std::span<const std::uint8_t> bytes) {
-    unwritten_.insert(unwritten_.end(), bytes.begin(), bytes.end());
-    if (unwritten_.size() >= written_at_once) flush();
+    if (unwritten_.size() + bytes.size() > written_at_once) flush();
+    if (bytes.size() > written_at_once)
+        write(bytes);
+    else
+        unwritten_.insert(unwritten_.end(), bytes.begin(), bytes.end());
 }
 
 void NewFile::append(std::string_view text) {
@@ -216,13 +219,17 @@ void NewFile::append(std::string_view text) {
 }
 
 void NewFile::flush() {
-    for (std::span<const std::uint8_t> rest = unwritten_; !rest.empty();) {
-        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    write(unwritten_);
+    unwritten_.clear();
+}
+
+void NewFile::write(std::span<const std::uint8_t> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) fail("cannot write");
-        rest = rest.subspan(static_cast<std::size_t>(written));
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    unwritten_.clear();
 }
 
 void NewFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes) {
@@ -269,6 +276,14 @@ void write_file(const std::filesystem::path& path, std::span<const std::uint8_t>
 
 void write_file(const std::filesystem::path& path, std::string_view text, Place place) {
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), place);
+}
+
+void check_writable(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail(path, "cannot write", EISDIR);
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (path != "-" && is_regular_or_missing(path) && ::access(folder.c_str(), W_OK) != 0)
+        fail(path, "cannot write");
 }
 
 void make_folder(const std::filesystem::path& folder) {

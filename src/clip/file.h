@@ -82,6 +82,7 @@ class NewFile {
 
   private:
     void flush();
+    void write(std::span<const std::uint8_t> bytes) const;
     [[noreturn]] void fail(const char* what) const;
 
     std::filesystem::path path_;
@@ -94,6 +95,10 @@ class NewFile {
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                 Place place = Place::in_folder);
 void write_file(const std::filesystem::path& path, std::string_view text, Place place = Place::in_folder);
+
+// For commands that work long before they write a file that the user named: throws std::runtime_error where
+// it is a folder, or in a folder that is not there or that one may not write into.
+void check_writable(const std::filesystem::path& path);
 
 // Makes a folder where there is none; the one above it must be there. Throws std::runtime_error where
 // something else has its name, or where the system cannot.

@@ -55,6 +55,11 @@ void add_options(CLI::App& app, DiffOptions& options) {
         "  ropesim diff golden frames --threshold 0         every bit of every pixel");
 }
 
+void check_reports(const DiffOptions& options) {
+    for (const std::string& file : {options.report, options.json, options.junit})
+        if (!file.empty()) check_writable(file);
+}
+
 void write_reports(const DiffOptions& options, const Comparison& comparison, const Cause& cause) {
     if (!options.report.empty()) write_file(options.report, to_html(comparison, cause), Place::named);
     if (!options.json.empty()) write_file(options.json, to_json(comparison, cause), Place::named);
@@ -76,6 +81,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 }
 
 int diff(const DiffOptions& options) {
+    check_reports(options);
     std::optional<FolderLock> lock;  // before the look at what will be replaced
     if (options.accept) lock.emplace(folder_of(options.expected), "");
     Comparison comparison = compare(options.expected, options.actual, options.tolerance);

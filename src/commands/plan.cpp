@@ -122,6 +122,7 @@ void check_tolerance(double pixels) {
 int plan_scene(const PlanOptions& options) {
     check_tolerance(options.tolerance);
     Scene scene = open_scene(options.scene).scene;
+    if (!options.file.empty()) check_writable(options.file);
     const Scene as_written = scene;
     bool all = true;
     for (SceneRope& rope : scene.ropes) all = plan_rope(options, as_written, rope) && all;

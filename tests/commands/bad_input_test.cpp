@@ -118,6 +118,11 @@ TEST_F(BadInput, AsAPath) {
         expect_refused({"render", "-o", path});
     for (const std::string path : {"none/a.csv", "loop/a.csv", "/proc/a.npy"})
         expect_refused({"simulate", "-o", path});
+    for (const std::string path : {"none/a", "folder.toml", "loop/a"}) {
+        expect_refused({"plan", "--write", path}, path);
+        for (const char* report : {"--report", "--json", "--junit"})
+            expect_refused({"diff", "picture.png", "picture.png", report, path}, path);
+    }
 }
 
 // Of ten thousand names, a line that can be read.

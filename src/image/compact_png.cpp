@@ -66,21 +66,21 @@ Piece compressed(const Compressor& compressor, const Image& image, int begin, in
     return shortest;
 }
 
-std::vector<std::uint8_t> zlib_stream_of_rows(const Image& image) {
+// All rows as a zlib stream.
+void append_pixels(std::vector<std::uint8_t>& file, const Image& image) {
     const Compressor compressor;
     const std::size_t row_bytes = 1 + 3 * static_cast<std::size_t>(image.width);
     const int rows_at_once = static_cast<int>(std::max<std::size_t>(piece_bytes / row_bytes, 1));
-    std::vector<std::uint8_t> stream = zlib_header();
+    append_zlib_header(file);
     Adler32 checksum;
     for (int begin = 0; begin < image.height; begin += rows_at_once) {
         const int end = std::min(begin + rows_at_once, image.height);
         Piece piece = compressed(compressor, image, begin, end);
         if (end < image.height) make_continued(piece.deflate_stream);
-        stream.insert(stream.end(), piece.deflate_stream.begin(), piece.deflate_stream.end());
+        file.insert(file.end(), piece.deflate_stream.begin(), piece.deflate_stream.end());
         checksum.add(piece.checksum);
     }
-    append_checksum(stream, checksum);
-    return stream;
+    append_checksum(file, checksum);
 }
 
 }  // namespace
@@ -92,7 +92,9 @@ std::vector<std::uint8_t> encode_compact_png(const Image& image, const Texts& te
         const std::vector<std::uint8_t> chunk = text_chunk(keyword, text);
         file.insert(file.end(), chunk.begin(), chunk.end());
     }
-    append_chunk(file, "IDAT", zlib_stream_of_rows(image));
+    const std::size_t pixels = begin_chunk(file, "IDAT");
+    append_pixels(file, image);
+    end_chunk(file, pixels);
     append_chunk(file, "IEND", {});
     return file;
 }

@@ -190,14 +190,12 @@ Bits joined(Bits first, Bits next) {
 
 }  // namespace
 
-void TokenCounts::add(std::span<const Token> tokens) {
-    for (const Token& token : tokens) {
-        if (token.length == 0) {
-            ++literals[token.byte_or_distance];
-        } else {
-            ++literals[ranged_lengths[token.length].symbol];
-            ++distances[ranged_distance(token.byte_or_distance).symbol];
-        }
+void TokenCounts::add(Token token, std::uint32_t times) {
+    if (token.length == 0) {
+        literals[token.byte_or_distance] += times;
+    } else {
+        literals[ranged_lengths[token.length].symbol] += times;
+        distances[ranged_distance(token.byte_or_distance).symbol] += times;
     }
 }
 
@@ -256,6 +254,10 @@ void BlockWriter::add(std::span<const Bits> bits) {
     writer_.put_all(bits, [](const Bits& same) { return same; });
 }
 
+void BlockWriter::add(std::span<const std::uint16_t> indices, std::span<const Bits> bits) {
+    writer_.put_all(indices, [bits](std::uint16_t index) { return bits[index]; });
+}
+
 void BlockWriter::end() {
     writer_.put(bytes_[end_of_block]);
 }
@@ -288,7 +290,7 @@ void BlockWriter::write_code_lengths(std::span<const std::uint8_t> literals,
 
 void Deflater::write_block(bool last) {
     TokenCounts counts;
-    counts.add(tokens_);
+    for (const Token& token : tokens_) counts.add(token, 1);
     writer_.begin(counts, last);
     writer_.add(tokens_);
     writer_.end();

@@ -25,7 +25,7 @@ struct TokenCounts {
     std::array<std::uint32_t, 286> literals{};  // 256 bytes, the end of a block, lengths
     std::array<std::uint32_t, 30> distances{};
 
-    void add(std::span<const Token> tokens);
+    void add(Token token, std::uint32_t times);
     void add(const TokenCounts& others, std::uint32_t times);
 };
 
@@ -84,16 +84,18 @@ class BlockWriter {
     // Begins a block of tokens that have these counts.
     void begin(TokenCounts counts, bool last);
     void add(std::span<const Token> tokens);
-    // The same tokens as bits of this block, for those that come many times.
+    // Tokens as bits of this block, for those that come many times.
+    Bits bits_of(Token token) const;
     std::vector<Bits> bits_of(std::span<const Token> tokens) const;
     void add(std::span<const Bits> bits);
+    // The bits that stand in `bits` at each of the indices.
+    void add(std::span<const std::uint16_t> indices, std::span<const Bits> bits);
     void end();
 
     // The whole stream. Nothing may be added afterwards.
     std::vector<std::uint8_t> finish() { return writer_.finish(); }
 
   private:
-    Bits bits_of(Token token) const;
     void write_code_lengths(std::span<const std::uint8_t> literals, std::span<const std::uint8_t> distances);
 
     BitWriter writer_;

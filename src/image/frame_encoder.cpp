@@ -5,7 +5,9 @@
 #include "image/zlib_stream.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <utility>
 
 namespace ropesim {
 
@@ -15,7 +17,7 @@ FrameEncoder::FrameEncoder(int width, int height)
       repeated_row_(tokenizer_.repeated_row()),
       rows_(static_cast<std::size_t>(Tiles(width, height).rows())) {
     assert(width > 0 && height > 0);
-    repeated_row_counts_.add(repeated_row_);
+    for (const Token& token : repeated_row_) repeated_row_counts_.add(token, 1);
 }
 
 std::vector<std::uint8_t> FrameEncoder::encode(const Image& image, const Tiles& inked, const Tiles& changed,
@@ -30,7 +32,9 @@ std::vector<std::uint8_t> FrameEncoder::encode(const Image& image, const Tiles& 
 
     std::vector<std::uint8_t> file = begin_;
     append_texts(file, texts);
-    append_chunk(file, "IDAT", pixels());
+    const std::size_t pixels = begin_chunk(file, "IDAT");
+    append_pixels(file);
+    end_chunk(file, pixels);
     append_chunk(file, "IEND", {});
     return file;
 }
@@ -45,16 +49,21 @@ void FrameEncoder::append_texts(std::vector<std::uint8_t>& file, const Texts& te
 }
 
 // All rows as a zlib stream of one block.
-std::vector<std::uint8_t> FrameEncoder::pixels() const {
+void FrameEncoder::append_pixels(std::vector<std::uint8_t>& file) const {
     TokenCounts counts;
+    std::array<std::uint32_t, row_token_kinds> row_counts{};
     Adler32 checksum;
     for (const RowTokens& rows : rows_) {
-        counts.add(rows.counts, 1);
+        for (std::size_t i = 0; i < row_token_kinds; ++i) row_counts[i] += rows.counts[i];
         counts.add(repeated_row_counts_, rows.repeated_rows);
         checksum.add(rows.checksum);
     }
-    BlockWriter writer(zlib_header());
+    for (RowToken token = 0; token < row_token_kinds; ++token) counts.add(token_of(token), row_counts[token]);
+    append_zlib_header(file);
+    BlockWriter writer(std::move(file));
     writer.begin(counts, /*last=*/true);
+    std::array<Bits, row_token_kinds> bits;
+    for (RowToken token = 0; token < row_token_kinds; ++token) bits[token] = writer.bits_of(token_of(token));
     const std::vector<Bits> repeated_row = writer.bits_of(repeated_row_);
     for (const RowTokens& rows : rows_) {
         std::size_t begin = 0;
@@ -62,14 +71,13 @@ std::vector<std::uint8_t> FrameEncoder::pixels() const {
             if (end == begin)
                 writer.add(repeated_row);
             else
-                writer.add(std::span(rows.tokens).subspan(begin, end - begin));
+                writer.add(std::span(rows.tokens).subspan(begin, end - begin), bits);
             begin = end;
         }
     }
     writer.end();
-    std::vector<std::uint8_t> stream = writer.finish();
-    append_checksum(stream, checksum);
-    return stream;
+    file = writer.finish();
+    append_checksum(file, checksum);
 }
 
 }  // namespace ropesim

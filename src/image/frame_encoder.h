@@ -24,7 +24,7 @@ class FrameEncoder {
 
   private:
     void append_texts(std::vector<std::uint8_t>& file, const Texts& texts);
-    std::vector<std::uint8_t> pixels() const;
+    void append_pixels(std::vector<std::uint8_t>& file) const;
 
     struct KnownText {
         std::string text;

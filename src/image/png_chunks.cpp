@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <stdexcept>
 #include <string>
@@ -16,6 +17,12 @@ constexpr std::size_t frame_bytes = 12;  // of a chunk, around its data: length,
 
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
     return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
+}
+
+std::array<std::uint8_t, 4> bytes_of(std::uint32_t number) {
+    std::array<std::uint8_t, 4> bytes{};
+    for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(number >> (24 - 8 * i));
+    return bytes;
 }
 
 [[noreturn]] void fail(std::string_view name, const std::string& problem) {
@@ -94,16 +101,31 @@ std::vector<std::uint8_t> begin_of_png(int width, int height) {
 
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view type,
                   std::span<const std::uint8_t> data) {
-    assert(type.size() == 4 && data.size() < 0x80000000U);
-    append_number(file, static_cast<std::uint32_t>(data.size()));
-    const std::size_t begin = file.size();
-    file.insert(file.end(), type.begin(), type.end());
+    const std::size_t begin = begin_chunk(file, type);
     file.insert(file.end(), data.begin(), data.end());
-    append_number(file, checksum(std::span(file).subspan(begin)));
+    end_chunk(file, begin);
+}
+
+std::size_t begin_chunk(std::vector<std::uint8_t>& file, std::string_view type) {
+    assert(type.size() == 4);
+    const std::size_t begin = file.size();
+    append_number(file, 0);  // the length, once it is known
+    file.insert(file.end(), type.begin(), type.end());
+    return begin;
+}
+
+void end_chunk(std::vector<std::uint8_t>& file, std::size_t begin) {
+    const auto typed = std::span(file).subspan(begin + 4);
+    const std::size_t length = typed.size() - 4;
+    assert(length < 0x80000000U);
+    std::ranges::copy(bytes_of(static_cast<std::uint32_t>(length)),
+                      file.begin() + static_cast<std::ptrdiff_t>(begin));
+    append_number(file, checksum(typed));
 }
 
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
-    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
+    const std::array<std::uint8_t, 4> its_bytes = bytes_of(number);
+    bytes.insert(bytes.end(), its_bytes.begin(), its_bytes.end());
 }
 
 std::uint32_t number_at(std::span<const std::uint8_t> bytes, std::size_t offset) {

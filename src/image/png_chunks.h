@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -28,6 +29,10 @@ std::vector<std::uint8_t> begin_of_png(int width, int height);
 
 // Appends a chunk: length, type, data, checksum.
 void append_chunk(std::vector<std::uint8_t>& file, std::string_view type, std::span<const std::uint8_t> data);
+
+// A chunk whose data are what is appended between the two calls; the first tells the second where it begins.
+std::size_t begin_chunk(std::vector<std::uint8_t>& file, std::string_view type);
+void end_chunk(std::vector<std::uint8_t>& file, std::size_t begin);
 
 // Four bytes, most significant first, as PNG keeps its numbers.
 void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t number);

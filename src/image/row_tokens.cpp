@@ -14,13 +14,16 @@ constexpr std::size_t worth_skipping = 64;  // zeros that are faster summed up a
 constexpr std::size_t readable = 4;         // bytes behind a row, of which `repeats` may read some
 constexpr std::uint8_t filter_up = 2;       // what a row of a PNG begins with that is less the row above
 
-// Writes repetitions of what stands `distance` bytes back, for as much of `length` bytes as they can be used
-// for: all, or all but one or two. Returns how many.
-std::size_t add_run(std::size_t length, std::uint16_t distance, Token*& out) {
+constexpr RowToken repetitions_of_byte = 256;
+constexpr RowToken repetitions_of_pixel = 512;
+
+// Writes repetitions, of the kind that begins there, for as much of `length` bytes as they can be used for:
+// all, or all but one or two. Returns how many.
+std::size_t add_run(std::size_t length, RowToken repetitions, RowToken*& out) {
     std::size_t left = length;
     while (left >= shortest_repetition) {
-        const auto part = static_cast<std::uint16_t>(std::min<std::size_t>(left, longest_repetition));
-        *out++ = {part, distance};
+        const std::size_t part = std::min<std::size_t>(left, longest_repetition);
+        *out++ = static_cast<RowToken>(repetitions + part - shortest_repetition);
         left -= part;
     }
     return length - left;
@@ -54,6 +57,12 @@ const std::uint8_t* past_zeros(const std::uint8_t* begin, const std::uint8_t* en
 
 }  // namespace
 
+Token token_of(RowToken token) {
+    if (token < repetitions_of_byte) return {0, token};
+    const auto length = static_cast<std::uint16_t>(shortest_repetition + token % 256);
+    return {length, token < repetitions_of_pixel ? std::uint16_t{1} : pixel_bytes};
+}
+
 RowTokenizer::RowTokenizer(int width)
     : zeros_(pixel_bytes * static_cast<std::size_t>(width), 0),
       filtered_(1 + zeros_.size() + readable, 0),
@@ -62,14 +71,16 @@ RowTokenizer::RowTokenizer(int width)
 }
 
 std::vector<Token> RowTokenizer::repeated_row() const {
-    std::vector<Token> tokens(1 + zeros_.size(), Token{0, 0});
-    Token* out = tokens.data();
-    *out++ = {0, filter_up};
-    *out++ = {0, 0};
+    std::vector<RowToken> tokens(1 + zeros_.size(), 0);
+    RowToken* out = tokens.data();
+    *out++ = filter_up;
+    *out++ = 0;
     const std::size_t zeros = zeros_.size() - 1;
-    const std::size_t literals = zeros - add_run(zeros, 1, out);
+    const std::size_t literals = zeros - add_run(zeros, repetitions_of_byte, out);
     tokens.resize(static_cast<std::size_t>(out - tokens.data()) + literals);
-    return tokens;
+    std::vector<Token> row;
+    for (const RowToken token : tokens) row.push_back(token_of(token));
+    return row;
 }
 
 void RowTokenizer::tokenize(const Image& image, const Tiles& inked, int row_of_tiles, RowTokens& rows) {
@@ -121,23 +132,21 @@ void RowTokenizer::add_row(const std::uint8_t* row, const std::uint8_t* above, R
 void RowTokenizer::add_filtered_row(RowTokens& rows) {
     const std::uint8_t* const bytes = filtered_.data();
     const std::size_t size = 1 + zeros_.size();
-    Token* out = tokens_.data();
+    RowToken* out = tokens_.data();
     std::size_t unchecked = 0;
     span_ = 0;
-    *out++ = {0, bytes[0]};
+    *out++ = bytes[0];
     for (std::size_t i = 1; i < size;) {
-        std::uint16_t distance = 0;
-        if (repeats(bytes + i, 1))
-            distance = 1;
-        else if (i >= pixel_bytes && repeats(bytes + i, pixel_bytes))
-            distance = pixel_bytes;
-        if (distance == 0 || size - i < shortest_repetition) {
-            *out++ = {0, bytes[i++]};
+        const bool byte = repeats(bytes + i, 1);
+        const bool pixel = !byte && i >= pixel_bytes && repeats(bytes + i, pixel_bytes);
+        if ((!byte && !pixel) || size - i < shortest_repetition) {
+            *out++ = bytes[i++];
             continue;
         }
-        const bool zeros = distance == 1 && bytes[i] == 0;
-        const std::size_t found = zeros ? zeros_from(i) : run_length(bytes + i, distance, bytes + size);
-        const std::size_t length = add_run(found, distance, out);
+        const bool zeros = byte && bytes[i] == 0;
+        const std::size_t found =
+            zeros ? zeros_from(i) : run_length(bytes + i, byte ? 1 : pixel_bytes, bytes + size);
+        const std::size_t length = add_run(found, byte ? repetitions_of_byte : repetitions_of_pixel, out);
         if (zeros && length >= worth_skipping) {
             rows.checksum.add(std::span(bytes + unchecked, bytes + i));
             rows.checksum.add_zeros(length);
@@ -147,7 +156,7 @@ void RowTokenizer::add_filtered_row(RowTokens& rows) {
     }
     rows.checksum.add(std::span(bytes + unchecked, bytes + size));
     rows.tokens.insert(rows.tokens.end(), tokens_.data(), out);
-    rows.counts.add(std::span(tokens_.data(), out));
+    for (const RowToken token : std::span(tokens_.data(), out)) ++rows.counts[token];
 }
 
 // How many bytes of the filtered row are zero from byte i on. Between the spans all are.

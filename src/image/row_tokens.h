@@ -5,19 +5,28 @@
 #include "image/image.h"
 #include "image/tiles.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ropesim {
+
+// A deflate token in two bytes: less to keep, and an index to what is known of each. 0 to 255 are bytes as
+// they are, then come repetitions of the byte before, 3 to 258 long, then those of the pixel before.
+using RowToken = std::uint16_t;
+inline constexpr std::size_t row_token_kinds = 3 * 256;
+
+Token token_of(RowToken token);
 
 // Some rows of a picture as deflate tokens, each row less the row above it (the filter Up of Portable Network
 // Graphics, 2nd edition, 2003, section 9). Made for frames that are one colour but for thin lines: it looks
 // for runs of a byte and of a pixel and for nothing else.
 struct RowTokens {
-    std::vector<Token> tokens;
+    std::vector<RowToken> tokens;
     std::vector<std::size_t> ends;  // in tokens, of each row; a row without tokens repeats the one above it
     std::uint32_t repeated_rows = 0;
-    TokenCounts counts;  // without the repeated rows
+    std::array<std::uint32_t, row_token_kinds> counts{};  // of tokens; without the repeated rows
     Adler32 checksum;
 };
 
@@ -47,7 +56,7 @@ class RowTokenizer {
 
     std::vector<std::uint8_t> zeros_;     // above the first row
     std::vector<std::uint8_t> filtered_;  // a row behind the byte that names its filter; zero between rows
-    std::vector<Token> tokens_;           // of a row
+    std::vector<RowToken> tokens_;        // of a row
     std::vector<PixelBox> boxes_;
     std::vector<Span> spans_;  // what may differ from the row above, from left to right
     std::size_t span_ = 0;     // the first that does not end before where the tokenizer is

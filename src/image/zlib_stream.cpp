@@ -3,6 +3,7 @@
 #include "image/deflate.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ropesim {
 
@@ -60,8 +61,8 @@ class Repetitions {
 }  // namespace
 
 // Deflate, a window of 32 KB, no dictionary, fastest level; a multiple of 31 (section 2.2).
-std::vector<std::uint8_t> zlib_header() {
-    return {0x78, 0x01};
+void append_zlib_header(std::vector<std::uint8_t>& stream) {
+    stream.insert(stream.end(), {0x78, 0x01});
 }
 
 void append_checksum(std::vector<std::uint8_t>& stream, const Adler32& checksum) {
@@ -70,7 +71,9 @@ void append_checksum(std::vector<std::uint8_t>& stream, const Adler32& checksum)
 }
 
 std::vector<std::uint8_t> zlib_stream_of_text(std::span<const std::uint8_t> text) {
-    Deflater deflater(zlib_header());
+    std::vector<std::uint8_t> stream;
+    append_zlib_header(stream);
+    Deflater deflater(std::move(stream));
     Repetitions repetitions(text);
     for (std::size_t i = 0; i < text.size();) {
         const Token repetition = repetitions.longest(i);
@@ -80,7 +83,7 @@ std::vector<std::uint8_t> zlib_stream_of_text(std::span<const std::uint8_t> text
     }
     Adler32 checksum;
     checksum.add(text);
-    std::vector<std::uint8_t> stream = deflater.finish();
+    stream = deflater.finish();
     append_checksum(stream, checksum);
     return stream;
 }

@@ -9,7 +9,7 @@
 namespace ropesim {
 
 // A zlib stream (RFC 1950) is these two bytes, a deflate stream and the checksum of what it unpacks to.
-std::vector<std::uint8_t> zlib_header();
+void append_zlib_header(std::vector<std::uint8_t>& stream);
 void append_checksum(std::vector<std::uint8_t>& stream, const Adler32& checksum);
 
 // A text as a zlib stream, repetitions found wherever they are.

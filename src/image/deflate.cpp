@@ -26,17 +26,16 @@ constexpr std::array<std::uint8_t, 19> order_of_lengths{16, 17, 18, 0, 8,  7, 9,
 struct Ranged {
     std::size_t symbol;
     std::uint32_t extra;
-    int extra_bits;
+    std::uint32_t extra_bits;
 };
 
 // The tables of 3.2.5 as a formula: numbers below 2^(m+1) are ranges of their own; above, each power of
 // two is split into 2^m ranges. m is 2 for lengths less 3 and 1 for distances less 1.
-constexpr Ranged ranged(std::uint32_t number, int m) {
+constexpr Ranged ranged(std::uint32_t number, std::uint32_t m) {
     if (number < 2U << m) return {number, 0, 0};
-    const int extra_bits = static_cast<int>(std::bit_width(number)) - 1 - m;
+    const std::uint32_t extra_bits = static_cast<std::uint32_t>(std::bit_width(number)) - 1 - m;
     const std::uint32_t leading = number >> extra_bits;  // 2^m to 2^(m+1) - 1
-    return {leading + (static_cast<std::uint32_t>(extra_bits) << m), number & ((1U << extra_bits) - 1),
-            extra_bits};
+    return {leading + (extra_bits << m), number & ((1U << extra_bits) - 1), extra_bits};
 }
 
 constexpr Ranged ranged_length(std::uint16_t length) {

@@ -32,7 +32,7 @@ struct TokenCounts {
 // Some bits of a deflate stream, the first lowest.
 struct Bits {
     std::uint64_t bits = 0;
-    int count = 0;  // at most 56
+    std::uint32_t count = 0;  // at most 56
 };
 
 // Appends bits to bytes.

@@ -120,7 +120,7 @@ void RowTokenizer::add_row(const std::uint8_t* row, const std::uint8_t* above, R
         ++rows.repeated_rows;
     } else {
         std::uint8_t* const filtered = &filtered_[1];
-        for (const auto& [begin, end] : spans_)
+        for (const auto [begin, end] : spans_)  // copies, lest each byte written might change them
             for (std::size_t i = begin; i < end; ++i)
                 filtered[i] = static_cast<std::uint8_t>(row[i] - above[i]);
         add_filtered_row(rows);

@@ -32,9 +32,13 @@ std::uint8_t* pixels_from(Image& image, int x, int y) {
 
 // Mixes colours into a row of pixels, one for each channel of coverage, in their order.
 void mix_row(std::span<const Color> colors, const std::uint8_t* coverage, int pixels, std::uint8_t* rgb) {
-    for (int i = 0; i < pixels; ++i, coverage += channels, rgb += 3)
-        for (std::size_t channel = 0; channel < colors.size(); ++channel)
-            if (coverage[channel] > 0) mix(colors[channel], coverage[channel], rgb);
+    for (std::size_t channel = 0; channel < colors.size(); ++channel) {
+        const Color color = colors[channel];
+        const std::uint8_t* covered = coverage + channel;
+        std::uint8_t* pixel = rgb;
+        for (int i = 0; i < pixels; ++i, covered += channels, pixel += 3)
+            if (*covered > 0) mix(color, *covered, pixel);
+    }
 }
 
 // Looks at all bytes, which is faster than looking for one.

@@ -223,7 +223,7 @@ void NewFile::flush() {
     unwritten_.clear();
 }
 
-void NewFile::write(std::span<const std::uint8_t> bytes) const {
+void NewFile::write(std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
@@ -279,10 +279,12 @@ void write_file(const std::filesystem::path& path, std::string_view text, Place 
 }
 
 void check_writable(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) fail(path, "cannot write", EISDIR);
+    if (path == "-") return;
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) fail(path, "cannot write", EISDIR);
+    if (error == std::errc::filename_too_long) fail(path, "cannot write", ENAMETOOLONG);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (path != "-" && is_regular_or_missing(path) && ::access(folder.c_str(), W_OK) != 0)
+    if (is_regular_or_missing(path) && ::access((folder / ".").c_str(), W_OK | X_OK) != 0)
         fail(path, "cannot write");
 }
 

@@ -82,7 +82,7 @@ class NewFile {
 
   private:
     void flush();
-    void write(std::span<const std::uint8_t> bytes) const;
+    void write(std::span<const std::uint8_t> bytes);
     [[noreturn]] void fail(const char* what) const;
 
     std::filesystem::path path_;

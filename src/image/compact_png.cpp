@@ -92,9 +92,9 @@ std::vector<std::uint8_t> encode_compact_png(const Image& image, const Texts& te
         const std::vector<std::uint8_t> chunk = text_chunk(keyword, text);
         file.insert(file.end(), chunk.begin(), chunk.end());
     }
-    const std::size_t pixels = begin_chunk(file, "IDAT");
+    const std::size_t begin = begin_chunk(file, "IDAT");
     append_pixels(file, image);
-    end_chunk(file, pixels);
+    end_chunk(file, begin);
     append_chunk(file, "IEND", {});
     return file;
 }

@@ -61,7 +61,9 @@ Ranged ranged_distance(std::uint16_t distance) {
 // two lightest of what is left; joined nodes come out in ascending order, so that two queues suffice.
 std::vector<int> huffman_depths(std::span<const std::uint64_t> counts) {
     const std::size_t leaves = counts.size();
-    std::vector<std::uint64_t> weight(counts.begin(), counts.end());
+    std::vector<std::uint64_t> weight;
+    weight.reserve(2 * leaves - 1);
+    weight.assign(counts.begin(), counts.end());
     std::vector<std::size_t> parent(2 * leaves - 1);
     std::size_t leaf = 0;
     std::size_t joined = leaves;
@@ -123,6 +125,7 @@ std::vector<Bits> codes(std::span<const std::uint8_t> lengths) {
         next[i] = static_cast<std::uint16_t>((next[i - 1] + count[i - 1]) << 1);
     }
     std::vector<Bits> result;
+    result.reserve(lengths.size());
     for (const std::uint8_t length : lengths) {
         result.push_back({length == 0 ? 0U : reversed(next[length]++, length), length});
     }

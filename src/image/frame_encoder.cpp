@@ -32,9 +32,9 @@ std::vector<std::uint8_t> FrameEncoder::encode(const Image& image, const Tiles& 
 
     std::vector<std::uint8_t> file = begin_;
     append_texts(file, texts);
-    const std::size_t pixels = begin_chunk(file, "IDAT");
+    const std::size_t begin = begin_chunk(file, "IDAT");
     append_pixels(file);
-    end_chunk(file, pixels);
+    end_chunk(file, begin);
     append_chunk(file, "IEND", {});
     return file;
 }

@@ -14,16 +14,16 @@ constexpr std::size_t worth_skipping = 64;  // zeros that are faster summed up a
 constexpr std::size_t readable = 4;         // bytes behind a row, of which `repeats` may read some
 constexpr std::uint8_t filter_up = 2;       // what a row of a PNG begins with that is less the row above
 
-constexpr RowToken repetitions_of_byte = 256;
-constexpr RowToken repetitions_of_pixel = 512;
+constexpr RowToken first_of_byte = 256;  // the shortest repetition of a byte
+constexpr RowToken first_of_pixel = first_of_byte + repetition_lengths;
 
-// Writes repetitions, of the kind that begins there, for as much of `length` bytes as they can be used for:
-// all, or all but one or two. Returns how many.
-std::size_t add_run(std::size_t length, RowToken repetitions, RowToken*& out) {
+// Writes repetitions, of those whose shortest is the token `first`, for as much of `length` bytes as they can
+// be used for: all, or all but one or two. Returns how many.
+std::size_t add_run(std::size_t length, RowToken first, RowToken*& out) {
     std::size_t left = length;
     while (left >= shortest_repetition) {
         const std::size_t part = std::min<std::size_t>(left, longest_repetition);
-        *out++ = static_cast<RowToken>(repetitions + part - shortest_repetition);
+        *out++ = static_cast<RowToken>(first + part - shortest_repetition);
         left -= part;
     }
     return length - left;
@@ -58,9 +58,11 @@ const std::uint8_t* past_zeros(const std::uint8_t* begin, const std::uint8_t* en
 }  // namespace
 
 Token token_of(RowToken token) {
-    if (token < repetitions_of_byte) return {0, token};
-    const auto length = static_cast<std::uint16_t>(shortest_repetition + token % 256);
-    return {length, token < repetitions_of_pixel ? std::uint16_t{1} : pixel_bytes};
+    if (token < first_of_byte) return {0, token};
+    const bool of_byte = token < first_of_pixel;
+    const int longer = token - (of_byte ? first_of_byte : first_of_pixel);
+    return {static_cast<std::uint16_t>(shortest_repetition + longer),
+            of_byte ? std::uint16_t{1} : pixel_bytes};
 }
 
 RowTokenizer::RowTokenizer(int width)
@@ -76,7 +78,7 @@ std::vector<Token> RowTokenizer::repeated_row() const {
     *out++ = filter_up;
     *out++ = 0;
     const std::size_t zeros = zeros_.size() - 1;
-    const std::size_t literals = zeros - add_run(zeros, repetitions_of_byte, out);
+    const std::size_t literals = zeros - add_run(zeros, first_of_byte, out);
     tokens.resize(static_cast<std::size_t>(out - tokens.data()) + literals);
     std::vector<Token> row;
     for (const RowToken token : tokens) row.push_back(token_of(token));
@@ -137,16 +139,16 @@ void RowTokenizer::add_filtered_row(RowTokens& rows) {
     span_ = 0;
     *out++ = bytes[0];
     for (std::size_t i = 1; i < size;) {
-        const bool byte = repeats(bytes + i, 1);
-        const bool pixel = !byte && i >= pixel_bytes && repeats(bytes + i, pixel_bytes);
-        if ((!byte && !pixel) || size - i < shortest_repetition) {
+        const bool repeats_byte = repeats(bytes + i, 1);
+        const bool repeats_pixel = !repeats_byte && i >= pixel_bytes && repeats(bytes + i, pixel_bytes);
+        if ((!repeats_byte && !repeats_pixel) || size - i < shortest_repetition) {
             *out++ = bytes[i++];
             continue;
         }
-        const bool zeros = byte && bytes[i] == 0;
+        const bool zeros = repeats_byte && bytes[i] == 0;
         const std::size_t found =
-            zeros ? zeros_from(i) : run_length(bytes + i, byte ? 1 : pixel_bytes, bytes + size);
-        const std::size_t length = add_run(found, byte ? repetitions_of_byte : repetitions_of_pixel, out);
+            zeros ? zeros_from(i) : run_length(bytes + i, repeats_byte ? 1 : pixel_bytes, bytes + size);
+        const std::size_t length = add_run(found, repeats_byte ? first_of_byte : first_of_pixel, out);
         if (zeros && length >= worth_skipping) {
             rows.checksum.add(std::span(bytes + unchecked, bytes + i));
             rows.checksum.add_zeros(length);

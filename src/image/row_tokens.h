@@ -15,7 +15,8 @@ namespace ropesim {
 // A deflate token in two bytes: less to keep, and an index to what is known of each. 0 to 255 are bytes as
 // they are, then come repetitions of the byte before, 3 to 258 long, then those of the pixel before.
 using RowToken = std::uint16_t;
-inline constexpr std::size_t row_token_kinds = 3 * 256;
+inline constexpr std::size_t repetition_lengths = longest_repetition - shortest_repetition + 1;
+inline constexpr std::size_t row_token_kinds = 256 + 2 * repetition_lengths;
 
 Token token_of(RowToken token);
 

@@ -8,7 +8,7 @@
 
 namespace ropesim {
 
-// A zlib stream (RFC 1950) is these two bytes, a deflate stream and the checksum of what it unpacks to.
+// A zlib stream (RFC 1950) is a header of two bytes, a deflate stream and the checksum of what it unpacks to.
 void append_zlib_header(std::vector<std::uint8_t>& stream);
 void append_checksum(std::vector<std::uint8_t>& stream, const Adler32& checksum);
 

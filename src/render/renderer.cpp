@@ -30,14 +30,15 @@ std::uint8_t* pixels_from(Image& image, int x, int y) {
                            static_cast<std::size_t>(x))];
 }
 
-// Mixes colours into a row of pixels, one for each channel of coverage, in their order.
+// Mixes colours into a row of pixels, one for each channel of coverage, in their order. One colour after the
+// other, which then stays in registers.
 void mix_row(std::span<const Color> colors, const std::uint8_t* coverage, int pixels, std::uint8_t* rgb) {
     for (std::size_t channel = 0; channel < colors.size(); ++channel) {
         const Color color = colors[channel];
-        const std::uint8_t* covered = coverage + channel;
-        std::uint8_t* pixel = rgb;
-        for (int i = 0; i < pixels; ++i, covered += channels, pixel += 3)
-            if (*covered > 0) mix(color, *covered, pixel);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(pixels); ++i) {
+            const std::uint8_t covered = coverage[channels * i + channel];
+            if (covered > 0) mix(color, covered, rgb + 3 * i);
+        }
     }
 }
 

@@ -49,6 +49,35 @@ TEST(WriteFile, SaysWhyItCannot) {
     EXPECT_EQ(files_in(folder.path()), 1u) << "no temporary file is left";
 }
 
+TEST(NewFile, HoldsWhatWasAppendedInItsOrder) {
+    const TemporaryFolder folder;
+    NewFile file(folder.path() / "a");
+    std::string expected;
+    for (const std::size_t size : {1U, 65535U, 65536U, 65537U, 0U, 200000U, 5U}) {
+        const std::string part(size, static_cast<char>('a' + size % 26));
+        file.append(part);
+        expected += part;
+    }
+    file.finish();
+    EXPECT_EQ(text_of(folder.path() / "a"), expected);
+}
+
+TEST(CheckWritable, TakesWhatCanBeWrittenAndLeavesItAsItIs) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "b");
+    write_file(folder.path() / "old", std::string_view("old"));
+    ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    for (const char* name : {"new", "old", "pipe"}) EXPECT_NO_THROW(check_writable(folder.path() / name));
+    EXPECT_NO_THROW(check_writable("new"));
+    EXPECT_NO_THROW(check_writable("-"));
+    EXPECT_NO_THROW(check_writable("/dev/full"));
+    EXPECT_EQ(text_of(folder.path() / "old"), "old");
+    EXPECT_EQ(files_in(folder.path()), 3u);
+    for (const std::string& name :
+         {std::string("b"), std::string("none/a"), std::string("old/a"), std::string(300, 'x')})
+        EXPECT_THROW(check_writable(folder.path() / name), std::runtime_error) << name;
+}
+
 TEST(WriteFile, SaysThatTheDiskIsFull) {
     EXPECT_THAT(failure_of_writing("/dev/full"),
                 HasSubstr("/dev/full: cannot write: No space left on device"));

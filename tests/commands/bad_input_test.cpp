@@ -118,7 +118,8 @@ TEST_F(BadInput, AsAPath) {
         expect_refused({"render", "-o", path});
     for (const std::string path : {"none/a.csv", "loop/a.csv", "/proc/a.npy"})
         expect_refused({"simulate", "-o", path});
-    for (const std::string path : {"none/a", "folder.toml", "loop/a"}) {
+    for (const std::string& path : {std::string("none/a"), std::string("folder.toml"), std::string("loop/a"),
+                                    std::string("picture.png/a"), repeated("x", 300)}) {
         expect_refused({"plan", "--write", path}, path);
         for (const char* report : {"--report", "--json", "--junit"})
             expect_refused({"diff", "picture.png", "picture.png", report, path}, path);

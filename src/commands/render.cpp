@@ -137,6 +137,14 @@ void say_what_was_planned(const Scene& as_written, const Scene& planned) {
                         planned.ropes[i].method.c_str(), steps_per_frame(planned, planned.ropes[i]));
 }
 
+// What a long clip must not find out at its end. The folder of the frames is yet to be made.
+void check_video_file(const RenderOptions& options) {
+    const auto folder_of = [](const std::filesystem::path& file) {
+        return std::filesystem::absolute(file).lexically_normal().parent_path();
+    };
+    if (folder_of(options.video) != folder_of(options.folder + "/frame")) check_writable(options.video);
+}
+
 int render(const RenderOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     FoundScene found = open_scene(options.scene);
@@ -163,7 +171,10 @@ int render(const RenderOptions& options) {
         throw CLI::ValidationError("--video",
                                    "a shard has only some of the frames; --resume --video makes it of all");
     const std::unique_ptr<PositionsFile> given = given_positions(scene, options, clip);
-    if (!options.video.empty()) check_video(options.video, clip.frames);
+    if (!options.video.empty()) {
+        check_video(options.video, clip.frames);
+        check_video_file(options);
+    }
     const FolderLock lock = prepare_folder(scene, clip);
     Simulation simulation(scene, !given && !options.scene.no_error ? Simulation::Errors::estimated
                                                                    : Simulation::Errors::left_out);

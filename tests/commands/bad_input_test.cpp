@@ -118,6 +118,9 @@ TEST_F(BadInput, AsAPath) {
         expect_refused({"render", "-o", path});
     for (const std::string path : {"none/a.csv", "loop/a.csv", "/proc/a.npy"})
         expect_refused({"simulate", "-o", path});
+    std::filesystem::create_directory(temporary.path() / "folder.mp4");
+    for (const char* path : {"none/a.mp4", "folder.mp4", "picture.png/a.gif"})
+        expect_refused({"render", "--video", path}, path);
     for (const std::string& path : {std::string("none/a"), std::string("folder.toml"), std::string("loop/a"),
                                     std::string("picture.png/a"), repeated("x", 300)}) {
         expect_refused({"plan", "--write", path}, path);
